@@ -1,0 +1,322 @@
+/* Closing the loops: assembly and completion of the initial state, drift control, diagnosis.
+ *
+ * Newton's method moves the dependent coordinates only.  In assembly they are chosen anew in each
+ * iteration, prescribed positions are never among them, and steps are shortened until the loops close
+ * further. */
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include "data.h"
+
+enum { ASSEMBLY_ITERATIONS = 200, PROJECTION_ITERATIONS = 20, HALVINGS = 12 };
+
+/* largest move of a coordinate in one iteration of assembly [rad or m] */
+static const double assembly_step = 0.5;
+
+static void newton_step(maggi_data *d)
+{
+  const maggi_topo *t = &d->t;
+  int i;
+
+  for (i = 0; i < t->nrow; ++i)
+    d->gam[i] = -d->res[i];
+  maggi_island_vector(t, d->prim0, (void *)d->r, (void *)d->dir, (void *)d->b,
+                      d->phi, d->chol, d->gam, d->v1, d->y1, d->dq, d->work8);
+}
+
+static void move(maggi_data *d, double factor)
+{
+  int i;
+
+  for (i = 0; i < d->t.ndep; ++i)
+    d->q[d->t.dep[i]] = d->q1[d->t.dep[i]] + factor * d->dq[d->t.dep[i]];
+}
+
+static double largest_move(const maggi_data *d)
+{
+  double largest = 0.0;
+  int i;
+
+  for (i = 0; i < d->t.ndep; ++i) {
+    if (isnan(d->dq[d->t.dep[i]]))
+      return NAN;
+    largest = fmax(largest, fabs(d->dq[d->t.dep[i]]));
+  }
+  return largest;
+}
+
+static void remember(maggi_data *d)
+{
+  memcpy(d->q1, d->q, (size_t)d->t.nq * sizeof(double));
+}
+
+static maggi_status fail_assembly(maggi_data *d, double violation)
+{
+  int loop = maggi_worst_loop(d);
+
+  return maggi_data_fail(d, MAGGI_E_ASSEMBLY,
+                         "%s \"%s\" cannot be closed in the initial position: %.3g remain open",
+                         strcmp(d->m->loop[loop].kind, "rod") == 0 ? "rod" : "loop",
+                         d->m->loop[loop].name, violation);
+}
+
+/* round-off of the loop equations, with lengths of the model as the scale */
+static double roundoff(const maggi_data *d)
+{
+  double largest = 1.0;
+  int i, k;
+
+  for (i = 0; i < d->t.npointdyn; ++i)
+    for (k = 0; k < 3; ++k)
+      largest = fmax(largest, fabs(d->r[i][k]));
+  return 4.0 * DBL_EPSILON * largest;
+}
+
+static maggi_status assemble(maggi_data *d, double time, int avoid)
+{
+  double violation, before, factor;
+  maggi_status status;
+  int i, k;
+
+  maggi_evaluate_positions(d, time);
+  violation = maggi_violation(d);
+  for (i = 0; i < ASSEMBLY_ITERATIONS && !(violation <= roundoff(d)); ++i) {
+    if (isnan(violation))
+      return maggi_data_fail(d, MAGGI_E_NOT_FINITE, "the initial position is not finite");
+    status = maggi_plan(d, avoid, 0.5);
+    if (status != MAGGI_OK)
+      return status;
+    newton_step(d);
+    remember(d);
+    before = violation;
+    factor = largest_move(d);
+    factor = factor > assembly_step ? assembly_step / factor : 1.0;
+    for (k = 0; k < HALVINGS; ++k) {
+      move(d, factor);
+      maggi_evaluate_positions(d, time);
+      violation = maggi_violation(d);
+      if (violation < before)
+        break;
+      factor *= 0.5;
+    }
+    if (k == HALVINGS) {
+      move(d, 0.0);
+      maggi_evaluate_positions(d, time);
+      violation = before;
+      break;
+    }
+  }
+  return violation <= d->tolerance ? MAGGI_OK : fail_assembly(d, violation);
+}
+
+static const char *coordinate_name(const maggi_data *d, int q)
+{
+  int i;
+
+  for (i = 0; i < d->m->ncoordinate; ++i)
+    if (d->m->coordinate[i].q == q)
+      return d->m->coordinate[i].name;
+  return "";
+}
+
+/* dependent velocities that were prescribed too must be what the others make them */
+static maggi_status check_velocities(maggi_data *d)
+{
+  double given, scale = 0.0;
+  int i, q;
+
+  for (i = 0; i < d->t.nq; ++i)
+    scale = fmax(scale, fabs(d->v[i]));
+  for (i = 0; i < d->t.ndep; ++i) {
+    q = d->t.dep[i];
+    if (!d->velocity_given[q] || d->m->initial_velocity[q] < 0)
+      continue;
+    given = d->p[d->m->initial_velocity[q]];
+    if (!(fabs(given - d->v[q]) <= 1e-6 * fmax(scale, fabs(given))))
+      return maggi_data_fail(d, MAGGI_E_ASSEMBLY,
+                             "the velocity %.9g of \"%s\" contradicts the others, which make it "
+                             "%.9g",
+                             given, coordinate_name(d, q), d->v[q]);
+  }
+  return MAGGI_OK;
+}
+
+static maggi_status check_constants(maggi_data *d)
+{
+  const maggi_topo *t = &d->t;
+  int i, k, body;
+
+  for (i = 0; i < t->nbody; ++i)
+    for (k = 0; k < 3; ++k)
+      if (!isfinite(d->axis0[i][k]) || !isfinite(d->offset0[i][k])) {
+        for (body = 0; body < d->m->nbody - 1 && d->m->body[body].body != i; ++body)
+          ;
+        return maggi_data_fail(d, MAGGI_E_VALUE, "a joint axis of the model has no direction (body "
+                               "\"%s\")", d->m->body[body].name);
+      }
+  for (i = 0; i < t->ndir; ++i)
+    for (k = 0; k < 3; ++k)
+      if (!isfinite(d->dir0[i][k]))
+        return maggi_data_fail(d, MAGGI_E_VALUE, "an axis of a loop has no direction");
+  for (i = 0; i < t->nprim; ++i)
+    if (!isfinite(d->prim0[i]) || (t->primkind[i] == MAGGI_PRIM_ROD && !(d->prim0[i] > 0.0)))
+      return maggi_data_fail(d, MAGGI_E_VALUE, "%s \"%s\" has no length",
+                             d->m->loop[t->primloop[i]].kind, d->m->loop[t->primloop[i]].name);
+  return MAGGI_OK;
+}
+
+/* from q, the plan and vcol to a consistent state with its accelerations */
+static maggi_status complete(maggi_data *d, double time)
+{
+  maggi_status status;
+  int dep;
+
+  d->time = time;
+  d->work = 0.0;
+  d->changes = d->projections = d->evaluations = 0;
+  d->replan_below = 0.2;
+  maggi_evaluate(d, time);
+  maggi_smallest_pivot(d, &d->pivot_ratio, &dep);
+  status = maggi_check(d, time);
+  d->ready = status == MAGGI_OK;
+  return status;
+}
+
+maggi_status maggi_data_reset(maggi_data *d)
+{
+  const maggi_model *m = d->m;
+  maggi_status status;
+  int i, q;
+
+  d->ready = 0;
+  d->message[0] = '\0';
+  maggi_constants(d);
+  status = check_constants(d);
+  if (status != MAGGI_OK)
+    return status;
+  for (i = 0; i < d->t.nq; ++i)
+    if (m->initial_position[i] >= 0)
+      d->q[i] = d->p[m->initial_position[i]];
+  status = assemble(d, 0.0, MAGGI_KEEP_POSITION);
+  if (status == MAGGI_OK)
+    status = maggi_plan(d, MAGGI_AVOID_VELOCITY, 0.1);
+  if (status != MAGGI_OK)
+    return status;
+  for (i = 0; i < d->t.nind; ++i) {
+    q = d->t.colq[i];
+    d->vcol[i] = d->velocity_given[q] ? d->p[m->initial_velocity[q]] : 0.0;
+  }
+  status = complete(d, 0.0);
+  if (status == MAGGI_OK)
+    status = check_velocities(d);
+  d->ready = status == MAGGI_OK;
+  return status;
+}
+
+maggi_status maggi_data_set_state(maggi_data *d, double t, const double *q, const double *v)
+{
+  const maggi_model *m = d->m;
+  maggi_status status;
+  int i;
+
+  d->ready = 0;
+  d->message[0] = '\0';
+  if (!isfinite(t))
+    return maggi_data_fail(d, MAGGI_E_VALUE, "the time must be finite");
+  maggi_constants(d);
+  status = check_constants(d);
+  if (status != MAGGI_OK)
+    return status;
+  for (i = 0; i < m->ncoordinate; ++i) {
+    if (!isfinite(q[i]) || !isfinite(v[i]))
+      return maggi_data_fail(d, MAGGI_E_VALUE, "the state of \"%s\" must be finite",
+                             m->coordinate[i].name);
+    d->q[m->coordinate[i].q] = q[i];
+    d->v[m->coordinate[i].q] = v[i];
+  }
+  status = assemble(d, t, 0);
+  if (status == MAGGI_OK)
+    status = maggi_plan(d, 0, 0.1);
+  if (status != MAGGI_OK)
+    return status;
+  for (i = 0; i < d->t.nind; ++i)
+    d->vcol[i] = d->v[d->t.colq[i]];
+  return complete(d, t);
+}
+
+/* ------------------------------------------------------------------------------- while it runs */
+
+static maggi_status fail_lockup(maggi_data *d, double time)
+{
+  int loop = maggi_worst_loop(d);
+
+  return maggi_data_fail(d, MAGGI_E_LOCKUP,
+                         "t = %.6g s: the mechanism locks up: %s \"%s\" cannot stay closed", time,
+                         strcmp(d->m->loop[loop].kind, "rod") == 0 ? "rod" : "loop",
+                         d->m->loop[loop].name);
+}
+
+/* Newton on the positions when the loops are open by more than the tolerance; the positions of `time`
+ * are evaluated before and after. */
+maggi_status maggi_project(maggi_data *d, double time, double tolerance)
+{
+  double violation, before;
+  int i;
+
+  maggi_evaluate_positions(d, time);
+  violation = maggi_violation(d);
+  if (isnan(violation))
+    return maggi_data_fail(d, MAGGI_E_NOT_FINITE,
+                           "t = %.6g s: the positions are not finite; is the step too large?", time);
+  tolerance = fmax(tolerance, roundoff(d));
+  for (i = 0; violation > tolerance; ++i) {
+    if (i == PROJECTION_ITERATIONS)
+      return fail_lockup(d, time);
+    maggi_evaluate_factors(d);
+    newton_step(d);
+    ++d->projections;
+    remember(d);
+    move(d, 1.0);
+    maggi_evaluate_positions(d, time);
+    before = violation;
+    violation = maggi_violation(d);
+    if (isnan(violation) || (i > 4 && violation > 2.0 * before)) {
+      move(d, 0.0);
+      maggi_evaluate_positions(d, time);
+      return fail_lockup(d, time);
+    }
+    /* round-off of a bad position: as good as it gets */
+    if (violation <= d->tolerance && violation > 0.5 * before)
+      break;
+  }
+  return MAGGI_OK;
+}
+
+/* whether the accelerations of `time` can be trusted; what is wrong if not */
+maggi_status maggi_check(maggi_data *d, double time)
+{
+  const maggi_topo *t = &d->t;
+  double pivot, whole;
+  int i;
+
+  for (i = 0; i < t->nind; ++i) {
+    pivot = 1.0 / (d->dinv[i] * d->dinv[i]);
+    whole = d->Mr[i * t->stride + i];
+    if (isfinite(whole) && !(pivot > 1e-13 * whole))
+      return maggi_data_fail(d, MAGGI_E_MASS,
+                             "t = %.6g s: the mass matrix is singular: nothing resists \"%s\"; has "
+                             "each body that it moves mass and inertia?",
+                             time, coordinate_name(d, t->colq[i]));
+  }
+  for (i = 0; i < t->nq; ++i) {
+    if (isfinite(d->a[i]) && isfinite(d->v[i]))
+      continue;
+    if (t->ndep > 0 && !(d->pivot_ratio > 1e-6))
+      return fail_lockup(d, time);
+    return maggi_data_fail(d, MAGGI_E_NOT_FINITE,
+                           "t = %.6g s: the motion of \"%s\" is not finite; is the step too large?",
+                           time, coordinate_name(d, i));
+  }
+  return MAGGI_OK;
+}

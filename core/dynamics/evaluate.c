@@ -1,0 +1,189 @@
+/* One evaluation of the equations of motion: the kernel, stage by stage. */
+#include "data.h"
+
+#include <math.h>
+
+/* C before C23 does not convert double (*)[n] to const double (*)[n] */
+#define ARRAY(x) ((void *)(x))
+
+void maggi_constants(maggi_data *d)
+{
+  const maggi_topo *t = &d->t;
+  int k;
+
+  for (k = 0; k < 3; ++k)
+    d->origin[k] = d->p[d->m->originadr + k];
+  maggi_joint_constants(t, d->p, d->origin, d->offset0, d->axis0);
+  maggi_inertia_constants(t, d->p, d->body0);
+  maggi_point_constants(t, d->p, d->origin, d->point0, d->dir0, d->prim0, d->spring0);
+  maggi_spline_constants(t, d->p, d->spline0);
+}
+
+void maggi_evaluate_positions(maggi_data *d, double time)
+{
+  const maggi_topo *t = &d->t;
+  int i;
+
+  maggi_functions(t, d->p, ARRAY(d->spline0), time, d->fun);
+  for (i = 0; i < t->nq; ++i)
+    if (t->qguide[i] >= 0)
+      d->q[i] = d->fun[t->qguide[i]][0];
+  maggi_positions(t, ARRAY(d->offset0), ARRAY(d->axis0), d->q, d->A, d->x, d->b);
+  maggi_points(t, 0, t->npointdyn, ARRAY(d->point0), ARRAY(d->A), ARRAY(d->x), d->r);
+  maggi_directions(t, ARRAY(d->dir0), ARRAY(d->A), d->dir);
+  maggi_loop_residual(t, d->prim0, ARRAY(d->r), ARRAY(d->dir), d->res);
+}
+
+void maggi_evaluate_factors(maggi_data *d)
+{
+  const maggi_topo *t = &d->t;
+
+  maggi_loop_entries(t, d->prim0, ARRAY(d->r), ARRAY(d->dir), ARRAY(d->b), d->phi);
+  maggi_island_factors(t, d->phi, d->chol);
+}
+
+void maggi_evaluate_velocities(maggi_data *d)
+{
+  const maggi_topo *t = &d->t;
+  int i;
+
+  for (i = t->nind; i < t->ncol; ++i)
+    d->vcol[i] = d->fun[t->qguide[t->colq[i]]][1];
+  maggi_island_columns(t, d->prim0, ARRAY(d->r), ARRAY(d->dir), ARRAY(d->b), d->phi, d->chol, d->V,
+                       d->Y, d->R, d->work8);
+  maggi_expand(t, d->R, d->vcol, d->zero, d->v);
+  maggi_velocities(t, d->p, ARRAY(d->b), d->v, d->Z, d->Z0);
+  maggi_point_velocities(t, 0, t->npointdyn, ARRAY(d->r), ARRAY(d->Z), d->rv);
+}
+
+static void accelerate(maggi_data *d)
+{
+  const maggi_topo *t = &d->t;
+  int i;
+
+  if (t->ndep > 0) {
+    maggi_point_accelerations(t, 0, t->npointdyn, ARRAY(d->r), ARRAY(d->rv), ARRAY(d->Z),
+                              ARRAY(d->Z0), d->r0a);
+    maggi_loop_gamma(t, d->prim0, ARRAY(d->r), ARRAY(d->dir), ARRAY(d->rv), ARRAY(d->r0a),
+                     ARRAY(d->Z), ARRAY(d->Z0), d->gam);
+    maggi_island_vector(t, d->prim0, ARRAY(d->r), ARRAY(d->dir), ARRAY(d->b), d->phi, d->chol,
+                        d->gam, d->v1, d->y1, d->ab, d->work8);
+  }
+  maggi_accelerations(t, ARRAY(d->b), ARRAY(d->Z0), d->ab, d->W, d->Zb);
+  maggi_element_forces(t, d->p, ARRAY(d->fun), d->spring0, d->q, d->v, ARRAY(d->A), ARRAY(d->Z),
+                       ARRAY(d->r), ARRAY(d->rv), d->Q, d->tau, d->power);
+  maggi_body_inertias(t, ARRAY(d->body0), ARRAY(d->A), ARRAY(d->x), d->I);
+  maggi_inertia_forces(t, ARRAY(d->I), ARRAY(d->Z), ARRAY(d->Zb), d->F);
+  if (t->nrod > 0) {
+    maggi_point_accelerations(t, 0, t->npointdyn, ARRAY(d->r), ARRAY(d->rv), ARRAY(d->Z),
+                              ARRAY(d->Zb), d->rba);
+    maggi_rod_forces(t, d->p, ARRAY(d->r), ARRAY(d->rba), d->F);
+  }
+  maggi_accumulate(t, ARRAY(d->F), ARRAY(d->Q), d->FS);
+  maggi_composite_inertias(t, d->p, ARRAY(d->r), ARRAY(d->I), d->IS);
+  maggi_mass_matrix(t, d->p, ARRAY(d->b), ARRAY(d->r), ARRAY(d->IS), d->Fb, d->rodjac, d->M);
+  maggi_reduced_mass(t, d->M, d->R, d->MR, d->Mr);
+  maggi_reduced_force(t, ARRAY(d->b), ARRAY(d->FS), d->tau, d->R, d->f, d->fr);
+  for (i = t->nind; i < t->ncol; ++i)
+    d->acol[i] = d->fun[t->qguide[t->colq[i]]][2];
+  maggi_factor_mass(t, d->Mr, d->Lr, d->dinv);
+  maggi_solve_mass(t, d->Mr, d->fr, d->Lr, d->dinv, d->acol);
+  maggi_expand(t, d->R, d->acol, d->ab, d->a);
+  if (t->nguide > 0) {
+    maggi_drives(t, d->Mr, d->fr, d->acol, d->drive);
+    for (i = t->nind; i < t->ncol; ++i)
+      d->power[0] += d->drive[i] * d->vcol[i];
+  }
+}
+
+void maggi_evaluate(maggi_data *d, double time)
+{
+  maggi_evaluate_positions(d, time);
+  maggi_evaluate_factors(d);
+  maggi_evaluate_velocities(d);
+  accelerate(d);
+  ++d->evaluations;
+  d->fresh = 0;
+}
+
+void maggi_results(maggi_data *d)
+{
+  const maggi_topo *t = &d->t;
+  int i;
+
+  if (d->fresh)
+    return;
+  maggi_points(t, t->npointdyn, t->npoint, ARRAY(d->point0), ARRAY(d->A), ARRAY(d->x), d->r);
+  maggi_point_velocities(t, t->npointdyn, t->npoint, ARRAY(d->r), ARRAY(d->Z), d->rv);
+  maggi_accelerations(t, ARRAY(d->b), ARRAY(d->Z0), d->a, d->Wa, d->Za);
+  maggi_point_accelerations(t, 0, t->npoint, ARRAY(d->r), ARRAY(d->rv), ARRAY(d->Z), ARRAY(d->Za),
+                            d->ra);
+  maggi_sensors(t, d->p, d->origin, ARRAY(d->A), ARRAY(d->x), ARRAY(d->r), ARRAY(d->rv),
+                ARRAY(d->ra), d->sensor);
+  maggi_inertia_forces(t, ARRAY(d->I), ARRAY(d->Z), ARRAY(d->Za), d->Fr);
+  maggi_rod_forces(t, d->p, ARRAY(d->r), ARRAY(d->ra), d->Fr);
+  maggi_accumulate(t, ARRAY(d->Fr), ARRAY(d->Q), d->FSr);
+  for (i = 0; i < t->nq; ++i)
+    d->w[i] = maggi_dot6(d->b[t->qbody[i]], d->FSr[t->qbody[i]]) + d->tau[i];
+  maggi_loop_multipliers(t, d->prim0, ARRAY(d->r), ARRAY(d->dir), ARRAY(d->b), d->phi, d->chol,
+                         d->w, d->wd, d->lambda);
+  maggi_loop_forces(t, d->prim0, ARRAY(d->r), ARRAY(d->dir), d->lambda, d->Fr);
+  maggi_accumulate(t, ARRAY(d->Fr), ARRAY(d->Q), d->FSr);
+  d->fresh = 1;
+}
+
+double maggi_violation(const maggi_data *d)
+{
+  double largest = 0.0;
+  int i;
+
+  for (i = 0; i < d->t.nrow; ++i) {
+    if (isnan(d->res[i]))
+      return NAN;
+    if (fabs(d->res[i]) > largest)
+      largest = fabs(d->res[i]);
+  }
+  return largest;
+}
+
+/* smallest pivot, its ratio to the one at the choice, and which dependent it is */
+double maggi_smallest_pivot(const maggi_data *d, double *ratio, int *dep)
+{
+  const maggi_topo *t = &d->t;
+  double smallest = INFINITY, pivot;
+  int i, k, n;
+
+  *ratio = 1.0;
+  *dep = -1;
+  for (k = 0; k < t->nisland; ++k) {
+    n = t->isldep[k + 1] - t->isldep[k];
+    for (i = 0; i < n; ++i) {
+      pivot = d->chol[t->islchol[k] + i * n + i];
+      if (!(pivot >= smallest))
+        smallest = pivot;
+      pivot /= d->piv0[t->isldep[k] + i];
+      if (*dep < 0 || !(pivot >= *ratio)) {
+        *ratio = pivot;
+        *dep = t->isldep[k] + i;
+      }
+    }
+  }
+  return smallest;
+}
+
+/* loop with the largest residual */
+int maggi_worst_loop(const maggi_data *d)
+{
+  int i, k, worst = 0;
+  double largest = -1.0;
+
+  for (i = 0; i < d->m->nloop; ++i) {
+    for (k = d->m->loop[i].row; k < d->m->loop[i].row + d->m->loop[i].rows; ++k) {
+      if (!(fabs(d->res[k]) <= largest)) {
+        largest = fabs(d->res[k]);
+        worst = i;
+      }
+    }
+  }
+  return worst;
+}

@@ -1,0 +1,578 @@
+/* maggi: dynamics of multibody systems with exact loops, in plain C.
+ *
+ * A model is built once (from C with maggi_builder_*, or from a YAML file with maggi_model_load)
+ * and never changes: many threads may share it.  A maggi_data is the workspace of one simulation:
+ * one per thread.  The flow is one way:
+ *
+ *   maggi_builder or file -> maggi_model -> maggi_data -> maggi_data_reset -> maggi_step -> get
+ *
+ * Units are SI and radians.  Geometry is given in the initial position, in the global frame: every
+ * point, axis and inertia tensor as one would measure it on the real machine, where all joint
+ * coordinates are zero.  All real numbers of a model are entries of one parameter vector p, each
+ * with a path such as "bodies.crank.mass" (see maggi_parameter_find).
+ *
+ * Nothing here prints, exits or aborts.  Functions that can fail return maggi_status, 0 is success.
+ *
+ * [1] A. Callejo, Dynamic Response Optimization of Vehicles through Efficient Multibody
+ *     Formulations and Automatic Differentiation Techniques, PhD thesis, UPM, 2013.
+ */
+#ifndef MAGGI_MAGGI_H
+#define MAGGI_MAGGI_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define MAGGI_VERSION "0.1.0"
+
+/* ---------------------------------------------------------------------------------- status */
+
+#define MAGGI_STATUS_LIST(X)                                                                      \
+  X(MAGGI_OK, "success")                                                                          \
+  X(MAGGI_E_MEMORY, "out of memory")                                                              \
+  X(MAGGI_E_FILE, "a file cannot be read or written")                                             \
+  X(MAGGI_E_MODEL, "the model is wrong")                                                          \
+  X(MAGGI_E_NAME, "no such name")                                                                 \
+  X(MAGGI_E_VALUE, "a value is out of range")                                                     \
+  X(MAGGI_E_ASSEMBLY, "the loops cannot be closed in the initial position")                       \
+  X(MAGGI_E_LOCKUP, "the mechanism locks up")                                                     \
+  X(MAGGI_E_MASS, "the mass matrix is singular")                                                  \
+  X(MAGGI_E_NOT_FINITE, "the solution is not finite")                                             \
+  X(MAGGI_E_STOPPED, "stopped by the caller")
+
+typedef enum maggi_status {
+#define X(name, text) name,
+  MAGGI_STATUS_LIST(X)
+#undef X
+      MAGGI_STATUS_COUNT
+} maggi_status;
+
+/* Text of a status, never NULL, owned by the library. */
+const char *maggi_status_text(maggi_status status);
+
+/* --------------------------------------------------------------------------------- builder */
+
+typedef struct maggi_builder maggi_builder;
+typedef struct maggi_model maggi_model;
+typedef struct maggi_data maggi_data;
+
+#define MAGGI_GROUND "ground" /* the name of the fixed body */
+#define MAGGI_JOINT_DOF_MAX 6
+
+/* Joints of the tree.  Compound joints are chains of revolutes (R) and prismatics (P) with massless
+ * bodies between, in the order given; their coordinates are NAME.1, NAME.2, ..
+ *
+ *   revolute     R about axis through point                                       1 coordinate
+ *   prismatic    P along axis                                                     1
+ *   cylindrical  P along axis, then R about it                                    2
+ *   universal    R about axis (fixed in the parent), R about axis2 (in the body)  2
+ *   planar       P along axis2, P along axis x axis2, R about axis (the normal)   3
+ *   spherical    R about global z, y, x through point                             3
+ *   free         P along global z, y, x, then R about z, y, x through point       6
+ *   fixed        rigidly attached                                                 0
+ */
+typedef enum maggi_joint_type {
+  MAGGI_JOINT_REVOLUTE,
+  MAGGI_JOINT_PRISMATIC,
+  MAGGI_JOINT_CYLINDRICAL,
+  MAGGI_JOINT_UNIVERSAL,
+  MAGGI_JOINT_PLANAR,
+  MAGGI_JOINT_SPHERICAL,
+  MAGGI_JOINT_FREE,
+  MAGGI_JOINT_FIXED,
+  MAGGI_JOINT_TYPE_COUNT
+} maggi_joint_type;
+
+/* Whether and how an initial position or velocity of a coordinate is prescribed. */
+typedef enum maggi_initial {
+  MAGGI_INITIAL_FREE,  /* the value is where Newton starts; 0 unless given                       */
+  MAGGI_INITIAL_GIVEN, /* held exactly; the other coordinates close the loops around it          */
+  MAGGI_INITIAL_COUNT
+} maggi_initial;
+
+/* A body and the joint that attaches it to its parent.  maggi_body_def_init fills the defaults:
+ * ground, revolute about x through the origin, no mass.  Strings and arrays are copied.
+ *
+ *   mass    [kg]            paths  bodies.NAME.mass
+ *   cog     [m]                    bodies.NAME.cog.x ..                  (not of a bar)
+ *   inertia about the cog,
+ *           xx yy zz xy xz yz,
+ *           entries of the tensor
+ *           [kg m^2]               bodies.NAME.inertia.xx ..             (not of a bar)
+ *   bar     uniform thin bar
+ *           between two points [m] bodies.NAME.bar.from.x .. bar.to.z
+ *   joint   point [m], axis,
+ *           axis2 (any length)     bodies.NAME.joint.point.x, .axis.x, .axis2.x
+ *   position, velocity
+ *           initial [rad or m]     bodies.NAME.joint.position, .velocity (.1, .2 .. if compound)
+ *   motion  function of time that guides the coordinate, or NULL
+ *
+ * axis2 of a planar joint may be left zero: a direction in the plane is chosen.
+ */
+typedef struct maggi_body_def {
+  const char *name;
+  const char *parent;
+  maggi_joint_type joint;
+  double point[3];
+  double axis[3];
+  double axis2[3];
+  maggi_initial position_given[MAGGI_JOINT_DOF_MAX];
+  double position[MAGGI_JOINT_DOF_MAX];
+  maggi_initial velocity_given[MAGGI_JOINT_DOF_MAX];
+  double velocity[MAGGI_JOINT_DOF_MAX];
+  const char *motion[MAGGI_JOINT_DOF_MAX];
+  double mass;
+  int is_bar;
+  double cog[3];
+  double inertia[6];
+  double bar_from[3];
+  double bar_to[3];
+} maggi_body_def;
+
+/* A point mass added to a body: paths bodies.BODY.point_masses.NAME.mass, .point.x .. */
+typedef struct maggi_point_mass_def {
+  const char *name;
+  const char *body;
+  double mass;
+  double point[3];
+} maggi_point_mass_def;
+
+/* A loop, cut at a joint between body_a and body_b.  [1] 2.39-2.50
+ *
+ *   spherical    the two points coincide                                        3 equations
+ *   revolute     and the two axes, as unit vectors                              6, rank 5 at most
+ *   universal    points coincide, axis_a (in body_a) keeps its angle to axis_b  4
+ *   cylindrical  the two axes stay on one line                                  4
+ *   prismatic    and do not turn about it                                       5
+ *
+ * point_b and axis_b are used when has_b is true; else the loop is closed in the file and both sides
+ * share point_a and axis_a (universal always needs axis_b).  When has_b is true and the two sides
+ * differ, the model is assembled when a simulation starts.
+ * Paths: loops.NAME.point.x, .axis.x; with has_b loops.NAME.point_a.x, .point_b.x, .axis_a.x, ..
+ * A universal loop has axis_a and axis_b in either case.
+ */
+typedef enum maggi_loop_type {
+  MAGGI_LOOP_SPHERICAL,
+  MAGGI_LOOP_REVOLUTE,
+  MAGGI_LOOP_UNIVERSAL,
+  MAGGI_LOOP_CYLINDRICAL,
+  MAGGI_LOOP_PRISMATIC,
+  MAGGI_LOOP_TYPE_COUNT
+} maggi_loop_type;
+
+typedef struct maggi_loop_def {
+  const char *name;
+  maggi_loop_type type;
+  const char *body_a;
+  const char *body_b;
+  int has_b;
+  double point_a[3];
+  double point_b[3];
+  double axis_a[3];
+  double axis_b[3];
+} maggi_loop_def;
+
+/* A rod: two points at constant distance; uniform thin rod of the given mass, without inertia about
+ * its own axis (a mass of 0 is allowed).  [1] 2.84
+ * length: NAN means the distance of the points in the file; a number is a parameter of its own.
+ * Paths: rods.NAME.mass, .point_a.x .., .point_b.x .., .length if given.
+ */
+typedef struct maggi_rod_def {
+  const char *name;
+  const char *body_a;
+  const char *body_b;
+  double point_a[3];
+  double point_b[3];
+  double mass;
+  double length;
+} maggi_rod_def;
+
+/* Spring and damper between two points, force along the line, tension positive:
+ *
+ *   F = stiffness*(l - free_length) + damping*l'      or
+ *   F = stiffness*(l - l_file) + preload + damping*l'      when free_length is NAN
+ *
+ * and, when has_slopes, plus the four-slope damper of [1] 3.8, a continuous piecewise linear force
+ * of v = l' (v > 0 is rebound) with slopes c1 up to v11 and c2 above; c3 down to v22 and c4 below.
+ * Paths: springs.NAME.stiffness, .free_length or .preload, .damping, .point_a.x .., .c1 .. .c4,
+ * .v11, .v22.
+ */
+typedef struct maggi_spring_def {
+  const char *name;
+  const char *body_a;
+  const char *body_b;
+  double point_a[3];
+  double point_b[3];
+  double stiffness;
+  double free_length;
+  double preload;
+  double damping;
+  int has_slopes;
+  double c[4];
+  double v11;
+  double v22;
+} maggi_spring_def;
+
+/* Spring and damper on joint coordinates, [1] 3.9 when two coordinates are named:
+ *
+ *   tau = -stiffness*(z - rest) - damping*z' - preload     on the coordinate z, or z = z_1 - z_2
+ *                                                          (then tau on 1 and -tau on 2)
+ * coordinate: "NAME" of a body with a one-DOF joint, or "NAME.2" inside a compound joint.
+ * coordinate2: NULL for a spring on one coordinate.
+ * Paths: joint_springs.NAME.stiffness, .damping, .rest, .preload.
+ */
+typedef struct maggi_joint_spring_def {
+  const char *name;
+  const char *coordinate;
+  const char *coordinate2;
+  double stiffness;
+  double damping;
+  double rest;
+  double preload;
+} maggi_joint_spring_def;
+
+/* An applied load: value times function(t), or value alone when function is NULL.
+ *
+ *   MAGGI_FORCE_GLOBAL   force [N] at a point of a body, components in global axes
+ *   MAGGI_FORCE_BODY     force [N] at a point of a body, components in body axes, i.e. in the global
+ *                        axes of the initial position, then turning with the body
+ *   MAGGI_TORQUE_GLOBAL  torque [N m] on a body, global axes
+ *   MAGGI_TORQUE_BODY    torque [N m] on a body, body axes
+ *   MAGGI_FORCE_JOINT    torque or force on a joint coordinate: value[0]
+ *
+ * The same load acts reversed on `reaction` when that names a body (NULL: the ground takes it).
+ * Paths: forces.NAME.value.x .. (.value for a joint), forces.NAME.point.x ..
+ */
+typedef enum maggi_force_type {
+  MAGGI_FORCE_GLOBAL,
+  MAGGI_FORCE_BODY,
+  MAGGI_TORQUE_GLOBAL,
+  MAGGI_TORQUE_BODY,
+  MAGGI_FORCE_JOINT,
+  MAGGI_FORCE_TYPE_COUNT
+} maggi_force_type;
+
+typedef struct maggi_force_def {
+  const char *name;
+  maggi_force_type type;
+  const char *body;       /* of the first four types */
+  const char *reaction;   /* or NULL */
+  const char *coordinate; /* of MAGGI_FORCE_JOINT, named as in maggi_joint_spring_def */
+  const char *function;   /* or NULL */
+  double point[3];
+  double value[3];
+} maggi_force_def;
+
+/* A function of time, for motions and loads.
+ *
+ *   constant    value                                            parameters: value
+ *   polynomial  sum_k c_k t^k                                    coefficients.0, .1, ..
+ *   sine        offset + amplitude sin(omega t + phase)          amplitude, omega, phase, offset
+ *   step        C2 quintic step from y0 at t0 to y1 at t1,
+ *               constant outside                                 t0, t1, y0, y1
+ *   knots       points joined by quintic steps, constant outside times.1, .2 .., values.1, ..
+ *   spline      natural C2 cubic spline through the points,
+ *               extended by straight lines                       times.1, .2 .., values.1, ..
+ *
+ * number: entries of `values` (polynomial, knots, spline) and of `times` (knots, spline).
+ * The scalar kinds take their parameters, in the order above, from `values`.
+ * Paths: functions.NAME.amplitude ..
+ */
+typedef enum maggi_function_type {
+  MAGGI_FUNCTION_CONSTANT,
+  MAGGI_FUNCTION_POLYNOMIAL,
+  MAGGI_FUNCTION_SINE,
+  MAGGI_FUNCTION_STEP,
+  MAGGI_FUNCTION_KNOTS,
+  MAGGI_FUNCTION_SPLINE,
+  MAGGI_FUNCTION_TYPE_COUNT
+} maggi_function_type;
+
+typedef struct maggi_function_def {
+  const char *name;
+  maggi_function_type type;
+  int number;
+  const double *times;
+  const double *values;
+} maggi_function_def;
+
+/* A sensor writes three columns, NAME.x NAME.y NAME.z, or NAME.roll NAME.pitch NAME.yaw:
+ * position [m], velocity [m/s], acceleration [m/s^2] of a body point in global axes; or the angles
+ * [rad] of R = Rz(yaw) Ry(pitch) Rx(roll), the rotation of the body since the initial position.
+ * Paths: sensors.NAME.point.x ..
+ */
+typedef enum maggi_sensor_type {
+  MAGGI_SENSOR_POSITION,
+  MAGGI_SENSOR_VELOCITY,
+  MAGGI_SENSOR_ACCELERATION,
+  MAGGI_SENSOR_ANGLES,
+  MAGGI_SENSOR_TYPE_COUNT
+} maggi_sensor_type;
+
+typedef struct maggi_sensor_def {
+  const char *name;
+  maggi_sensor_type type;
+  const char *body;
+  double point[3];
+} maggi_sensor_def;
+
+/* What a model file proposes for a simulation; 0 means: no proposal. */
+typedef struct maggi_simulation_def {
+  double time; /* [s] */
+  double step; /* [s] */
+} maggi_simulation_def;
+
+/* Fill a definition with its defaults (zeros; ground; x axis; NAN where documented). */
+void maggi_body_def_init(maggi_body_def *def);
+void maggi_point_mass_def_init(maggi_point_mass_def *def);
+void maggi_loop_def_init(maggi_loop_def *def);
+void maggi_rod_def_init(maggi_rod_def *def);
+void maggi_spring_def_init(maggi_spring_def *def);
+void maggi_joint_spring_def_init(maggi_joint_spring_def *def);
+void maggi_force_def_init(maggi_force_def *def);
+void maggi_function_def_init(maggi_function_def *def);
+void maggi_sensor_def_init(maggi_sensor_def *def);
+
+/* Number of coordinates of a joint, or -1 for a wrong type. */
+int maggi_joint_dof(maggi_joint_type type);
+
+/* Words of the model file for the enumerations ("revolute", ..), NULL outside the range; *_find is
+ * the inverse and returns -1 for an unknown word. */
+const char *maggi_joint_type_name(maggi_joint_type type);
+const char *maggi_loop_type_name(maggi_loop_type type);
+const char *maggi_force_type_name(maggi_force_type type);
+const char *maggi_function_type_name(maggi_function_type type);
+const char *maggi_sensor_type_name(maggi_sensor_type type);
+int maggi_joint_type_find(const char *name);
+int maggi_loop_type_find(const char *name);
+int maggi_force_type_find(const char *name);
+int maggi_function_type_find(const char *name);
+int maggi_sensor_type_find(const char *name);
+
+/* Build a model: create, add in any order (a parent may come after its child), then
+ * maggi_model_create.
+ *
+ * in    def     copied, strings too
+ * status        MAGGI_OK; MAGGI_E_MEMORY; MAGGI_E_MODEL for what is wrong in itself (no name, a name
+ *               twice or with other characters than letters, digits, _ and -, a number that is not
+ *               finite, a negative mass, a zero axis, ..); what refers to other parts is checked by
+ *               maggi_model_create.  The text is in maggi_builder_message, until the next call.
+ * memory        the builder owns its copies; maggi_builder_free(NULL) does nothing
+ * threads       a builder belongs to one thread
+ * since         0.1
+ */
+maggi_status maggi_builder_create(const char *name, maggi_builder **builder);
+void maggi_builder_free(maggi_builder *builder);
+const char *maggi_builder_message(const maggi_builder *builder);
+maggi_status maggi_builder_gravity(maggi_builder *b, const double gravity[3]); /* default 0,0,-9.81 */
+maggi_status maggi_builder_source(maggi_builder *b, const char *text);
+maggi_status maggi_builder_simulation(maggi_builder *b, const maggi_simulation_def *def);
+maggi_status maggi_builder_body(maggi_builder *b, const maggi_body_def *def);
+maggi_status maggi_builder_point_mass(maggi_builder *b, const maggi_point_mass_def *def);
+maggi_status maggi_builder_loop(maggi_builder *b, const maggi_loop_def *def);
+maggi_status maggi_builder_rod(maggi_builder *b, const maggi_rod_def *def);
+maggi_status maggi_builder_spring(maggi_builder *b, const maggi_spring_def *def);
+maggi_status maggi_builder_joint_spring(maggi_builder *b, const maggi_joint_spring_def *def);
+maggi_status maggi_builder_force(maggi_builder *b, const maggi_force_def *def);
+maggi_status maggi_builder_function(maggi_builder *b, const maggi_function_def *def);
+maggi_status maggi_builder_sensor(maggi_builder *b, const maggi_sensor_def *def);
+
+/* ----------------------------------------------------------------------------------- model */
+
+/* Compile a builder into a model.
+ *
+ * out   model   immutable, shared by threads; free with maggi_model_free
+ * status        MAGGI_OK; MAGGI_E_MEMORY; MAGGI_E_MODEL with a text in maggi_builder_message, which
+ *               begins with the path of the culprit: `bodies.crank: parent "frame" does not exist`
+ * memory        the builder may be freed or used further
+ * since         0.1
+ */
+maggi_status maggi_model_create(maggi_builder *b, maggi_model **model);
+void maggi_model_free(maggi_model *model);
+
+/* Read a YAML model file (format: models/README.md).
+ *
+ * out   model     NULL on failure
+ *       message   one line, `FILE:LINE: what is wrong`                      (nmessage chars)
+ * status          MAGGI_OK, MAGGI_E_MEMORY, MAGGI_E_FILE, MAGGI_E_MODEL
+ * since           0.1; only in builds with MAGGI_WITH_YAML
+ */
+maggi_status maggi_model_load(const char *path, maggi_model **model, char *message, size_t nmessage);
+
+/* The multiple four-bar mechanism of [1] 4.6.2, ny four-bars side by side in each of nz rows, with
+ * z_1'(0) = pi/3 rad/s on the first vertical bar.  Bars 1 m, 1 kg, in the yz plane; 3*ny + nz... bars:
+ * (2*ny + 1)*nz coordinates, nz degrees of freedom.  Bodies are named v_R_C and h_R_C, rows R and
+ * columns C from 1.
+ *
+ * in    ny, nz   at least 1
+ * status         MAGGI_OK, MAGGI_E_VALUE, MAGGI_E_MEMORY
+ * since          0.1
+ */
+maggi_status maggi_model_multiple_four_bar(int ny, int nz, maggi_model **model);
+
+/* What a model is made of.  Counts:
+ *   bodies           as in the file, without the ground and without the massless bodies of compounds
+ *   coordinates      joint coordinates, guided ones included
+ *   guided           of which follow a function of time
+ *   loops            cut joints and rods
+ *   loop_equations   their equations
+ *   parameters       length of p
+ *   sensor_columns   three for each sensor
+ */
+typedef struct maggi_model_info {
+  const char *name;
+  const char *source; /* "" if none */
+  int bodies;
+  int coordinates;
+  int guided;
+  int loops;
+  int loop_equations;
+  int parameters;
+  int sensors;
+  int sensor_columns;
+  maggi_simulation_def simulation;
+} maggi_model_info;
+
+void maggi_model_get_info(const maggi_model *m, maggi_model_info *info);
+
+/* Names, owned by the model; NULL outside the range.  Order as in the file (coordinates: bodies in
+ * the order of the file, coordinates of a compound joint from parent to body; loops: cut joints,
+ * then rods). */
+const char *maggi_body_name(const maggi_model *m, int body);
+const char *maggi_body_parent(const maggi_model *m, int body);
+maggi_joint_type maggi_body_joint(const maggi_model *m, int body);
+const char *maggi_coordinate_name(const maggi_model *m, int coordinate);
+int maggi_coordinate_is_guided(const maggi_model *m, int coordinate);
+int maggi_coordinate_is_angle(const maggi_model *m, int coordinate); /* else a length */
+const char *maggi_loop_name(const maggi_model *m, int loop);
+const char *maggi_loop_kind(const maggi_model *m, int loop); /* "revolute", .., "rod" */
+int maggi_loop_rows(const maggi_model *m, int loop);
+const char *maggi_sensor_column_name(const maggi_model *m, int column);
+const char *maggi_sensor_column_unit(const maggi_model *m, int column);
+int maggi_body_find(const maggi_model *m, const char *name);       /* -1: none */
+int maggi_coordinate_find(const maggi_model *m, const char *name); /* -1: none */
+
+/* Parameters: path, unit and default value of the entry `index` of p; path is NULL and value NAN
+ * outside the range.  find returns -1 for an unknown path. */
+const char *maggi_parameter_path(const maggi_model *m, int index);
+const char *maggi_parameter_unit(const maggi_model *m, int index);
+double maggi_parameter_default(const maggi_model *m, int index);
+int maggi_parameter_find(const maggi_model *m, const char *path);
+
+/* ------------------------------------------------------------------------------------ data */
+
+/* Workspace of one simulation of a model.  The model must outlive it.
+ *
+ * status     MAGGI_OK, MAGGI_E_MEMORY
+ * memory     all that a simulation needs is allocated here; free with maggi_data_free
+ * threads    one thread per maggi_data
+ * since      0.1
+ */
+maggi_status maggi_data_create(const maggi_model *m, maggi_data **data);
+void maggi_data_free(maggi_data *d);
+
+/* Text of the last failure of a call on d, "" if none; owned by d. */
+const char *maggi_data_message(const maggi_data *d);
+
+/* Parameters of this simulation, defaults of the model at first.
+ *
+ * status     MAGGI_OK; MAGGI_E_NAME for an index out of range; MAGGI_E_VALUE for a number that the
+ *            model cannot have (not finite, negative mass, ..; the old value stays)
+ * note       takes effect at the next maggi_data_reset
+ */
+maggi_status maggi_data_set_parameter(maggi_data *d, int index, double value);
+double maggi_data_get_parameter(const maggi_data *d, int index);
+
+/* Tolerance on the loop equations [m, rad]: positions are projected after a step that leaves them
+ * further open; default 1e-10.  status MAGGI_OK, MAGGI_E_VALUE. */
+maggi_status maggi_data_set_tolerance(maggi_data *d, double tolerance);
+
+/* Start a simulation at t = 0: constants from p, assembly of the loops (Newton), choice of the
+ * independent coordinates, completion of the velocities, one evaluation.
+ *
+ * Given positions and velocities are honoured exactly; independent coordinates that are not given
+ * start at their file position and at rest.
+ *
+ * status     MAGGI_OK; MAGGI_E_VALUE (a zero axis, ..); MAGGI_E_ASSEMBLY; MAGGI_E_MASS;
+ *            MAGGI_E_NOT_FINITE; text in maggi_data_message
+ * since      0.1
+ */
+maggi_status maggi_data_reset(maggi_data *d);
+
+/* Put the simulation at a given time and state, completed like the initial one: loops are closed by
+ * moving the dependent coordinates, dependent velocities follow from the independent ones.
+ *
+ * in    q, v   coordinates and velocities                              (coordinates)
+ * status       as maggi_data_reset
+ */
+maggi_status maggi_data_set_state(maggi_data *d, double t, const double *q, const double *v);
+
+/* One step of the classical Runge-Kutta method of order 4 of size h > 0 (h < 0 integrates back),
+ * drift control and, when the independent coordinates have become bad ones, a new choice of them.
+ * After it the accelerations of the new state are at hand.  [1] 2.62-2.66
+ *
+ * status     MAGGI_OK; MAGGI_E_LOCKUP naming time and loop; MAGGI_E_MASS; MAGGI_E_NOT_FINITE
+ *            (step too large); MAGGI_E_VALUE for h = 0 or not finite; MAGGI_E_MODEL before a reset
+ * memory     none allocated
+ * since      0.1
+ */
+maggi_status maggi_step(maggi_data *d, double h);
+
+/* State of the simulation. */
+double maggi_get_time(const maggi_data *d);
+/* q, v, a: positions, velocities, accelerations (coordinates each); any may be NULL. */
+void maggi_get_coordinates(const maggi_data *d, double *q, double *v, double *a);
+/* Columns of all sensors (sensor_columns). */
+void maggi_get_sensors(maggi_data *d, double *values);
+/* Torque or force of each joint coordinate's guide (coordinates): what drives a guided coordinate,
+ * 0 for the others. */
+void maggi_get_drives(maggi_data *d, double *drives);
+
+/* Wrench that the parent exerts on each body through its joint: force [N] and moment [N m] at the
+ * joint point, global axes (bodies x 6).  Springs, drives and loads on the joint itself are part of
+ * it.  Where loops have redundant equations, the share of smallest norm.  [1] 2.69-2.85 */
+void maggi_get_reactions(maggi_data *d, double *wrenches);
+/* Multipliers of the loop equations (loop_equations), loops in order; a rod's is its axial force,
+ * tension positive. */
+void maggi_get_multipliers(maggi_data *d, double *lambda);
+
+/* Energies [J]: kinetic; potential of weights (zero at the global origin) and springs; and work
+ * since the start of dampers, loads and drives. */
+typedef struct maggi_energy {
+  double kinetic;
+  double potential;
+  double work;
+} maggi_energy;
+void maggi_get_energy(maggi_data *d, maggi_energy *energy);
+
+/* How well the loops stand.
+ *   dof             degrees of freedom: coordinates - guided - rank
+ *   rank            of the loop equations on the coordinates that are not guided
+ *   violation       largest |Phi| now [m, rad]
+ *   pivot_ratio     smallest pivot of the loops now over its size in the position where the
+ *                   independent coordinates were chosen; near 0 at a singular position
+ *   changes         times the independent coordinates were changed
+ *   projections     Newton iterations of drift control
+ *   evaluations     of the right-hand side
+ */
+typedef struct maggi_loop_state {
+  int dof;
+  int rank;
+  double violation;
+  double pivot_ratio;
+  long changes;
+  long projections;
+  long evaluations;
+} maggi_loop_state;
+void maggi_get_loop_state(const maggi_data *d, maggi_loop_state *state);
+
+/* Whether coordinate is independent at present. */
+int maggi_coordinate_is_independent(const maggi_data *d, int coordinate);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

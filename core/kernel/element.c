@@ -1,0 +1,175 @@
+/* Springs, dampers and loads.  [1] 3.5-3.9.
+ *
+ * Wrenches at P on bodies, torques or forces on coordinates, and the power of what takes energy out
+ * of the model or feeds it in (dampers, loads); springs store theirs. */
+#include "kernel.h"
+#include "maggi/maggi.h"
+
+/* four slopes: rebound c1 up to v11, then c2; compression c3 down to v22, then c4 */
+static double slopes(double c1, double c2, double c3, double c4, double v11, double v22, double v)
+{
+  double f;
+
+  if (MAGGI_RE(v) > MAGGI_RE(v11))
+    f = c1 * v11 + c2 * (v - v11);
+  else if (MAGGI_RE(v) > 0.0)
+    f = c1 * v;
+  else if (MAGGI_RE(v) > MAGGI_RE(v22))
+    f = c3 * v;
+  else
+    f = c3 * v22 + c4 * (v - v22);
+  return f;
+}
+
+static void pull(double f, const double u[3], const double ra[3], const double rb[3], double Fa[6],
+                 double Fb[6])
+{
+  int k;
+  double fa[3], fb[3];
+
+  for (k = 0; k < 3; ++k) {
+    fb[k] = f * u[k];
+    fa[k] = -f * u[k];
+  }
+  maggi_wrench_add(fa, ra, Fa);
+  maggi_wrench_add(fb, rb, Fb);
+}
+
+/* u from b to a; elastic and damping force, tension positive */
+static void spring(int adr, int preload, int withslopes, int np, const double p[np], double l0,
+                   const double ra[3], const double rb[3], const double va[3], const double vb[3],
+                   double u[3], double f[2], double rate[1])
+{
+  int k;
+  double l;
+  double e[3], ev[3];
+
+  for (k = 0; k < 3; ++k) {
+    e[k] = ra[k] - rb[k];
+    ev[k] = va[k] - vb[k];
+  }
+  l = sqrt(maggi_dot(e, e));
+  u[0] = e[0] / l;
+  u[1] = e[1] / l;
+  u[2] = e[2] / l;
+  rate[0] = maggi_dot(u, ev);
+  if (preload)
+    f[0] = p[adr + MAGGI_SPRING_K] * (l - l0) + p[adr + MAGGI_SPRING_L];
+  else
+    f[0] = p[adr + MAGGI_SPRING_K] * (l - p[adr + MAGGI_SPRING_L]);
+  f[1] = p[adr + MAGGI_SPRING_C] * rate[0];
+  if (withslopes) {
+    k = adr + MAGGI_SPRING_SLOPES;
+    f[1] += slopes(p[k], p[k + 1], p[k + 2], p[k + 3], p[k + 4], p[k + 5], rate[0]);
+  }
+}
+
+static void load(int kind, int np, const double p[np], int adr, double s, const double A[9],
+                 double f[3])
+{
+  int k;
+  double c[3];
+
+  for (k = 0; k < 3; ++k)
+    c[k] = p[adr + k] * s;
+  if (kind == MAGGI_FORCE_BODY || kind == MAGGI_TORQUE_BODY) {
+    maggi_mul(A, c, f);
+  } else {
+    for (k = 0; k < 3; ++k)
+      f[k] = c[k];
+  }
+}
+
+/* force at r, or pure torque, on one body and back on another; returns its power */
+static double apply(int is_force, const double f[3], const double r[3], const double Z[6],
+                    const double Z2[6], double F[6], double F2[6])
+{
+  int k;
+  double power;
+  double back[3], v[3], v2[3];
+
+  for (k = 0; k < 3; ++k)
+    back[k] = -f[k];
+  if (is_force) {
+    maggi_wrench_add(f, r, F);
+    maggi_wrench_add(back, r, F2);
+    maggi_point_rate(Z, r, v);
+    maggi_point_rate(Z2, r, v2);
+    power = maggi_dot(f, v) - maggi_dot(f, v2);
+  } else {
+    for (k = 0; k < 3; ++k) {
+      F[k + 3] += f[k];
+      F2[k + 3] -= f[k];
+    }
+    power = f[0] * (Z[3] - Z2[3]) + f[1] * (Z[4] - Z2[4]) + f[2] * (Z[5] - Z2[5]);
+  }
+  return power;
+}
+
+void maggi_element_forces(const maggi_topo *t, const double p[t->np], const double fun[t->nfun][3],
+                          const double spring0[t->nspring], const double q[t->nq],
+                          const double v[t->nq], const double A[t->nbody + 1][9],
+                          const double Z[t->nbody + 1][6], const double r[t->npoint][3],
+                          const double rv[t->npoint][3], double Q[t->nbody + 1][6],
+                          double tau[t->nq], double power[1])
+{
+  int i, k, a, b, adr;
+  double z, w, s;
+  double u[3], f[2], rate[1], g[3], zero[3];
+
+  power[0] = 0.0;
+  for (i = 0; i <= t->nbody; ++i)
+    for (k = 0; k < 6; ++k)
+      Q[i][k] = 0.0;
+  for (i = 0; i < t->nq; ++i)
+    tau[i] = 0.0;
+  for (k = 0; k < 3; ++k)
+    zero[k] = 0.0;
+
+  for (i = 0; i < t->nspring; ++i) {
+    a = t->springpa[i];
+    b = t->springpb[i];
+    spring(t->springadr[i], t->springpreload[i], t->springslopes[i], t->np, p, spring0[i], r[a],
+           r[b], rv[a], rv[b], u, f, rate);
+    pull(f[0] + f[1], u, r[a], r[b], Q[t->pointbody[a]], Q[t->pointbody[b]]);
+    power[0] -= f[1] * rate[0];
+  }
+
+  for (i = 0; i < t->njspring; ++i) {
+    a = t->jspringq[i];
+    b = t->jspringq2[i];
+    adr = t->jspringadr[i];
+    z = q[a];
+    w = v[a];
+    if (b >= 0) {
+      z = q[a] - q[b];
+      w = v[a] - v[b];
+    }
+    s = -p[adr + MAGGI_JSPRING_K] * (z - p[adr + MAGGI_JSPRING_REST]) -
+        p[adr + MAGGI_JSPRING_C] * w - p[adr + MAGGI_JSPRING_PRELOAD];
+    tau[a] += s;
+    if (b >= 0)
+      tau[b] -= s;
+    power[0] -= p[adr + MAGGI_JSPRING_C] * w * w;
+  }
+
+  for (i = 0; i < t->nforce; ++i) {
+    adr = t->forceadr[i];
+    s = 1.0;
+    if (t->forcefun[i] >= 0)
+      s = fun[t->forcefun[i]][0];
+    if (t->forcekind[i] == MAGGI_FORCE_JOINT) {
+      a = t->forceq[i];
+      tau[a] += p[adr] * s;
+      power[0] += p[adr] * s * v[a];
+    } else {
+      a = t->forcebody[i];
+      b = t->forcereaction[i];
+      load(t->forcekind[i], t->np, p, adr, s, A[a], g);
+      if (t->forcepoint[i] >= 0)
+        power[0] += apply(1, g, r[t->forcepoint[i]], Z[a], Z[b], Q[a], Q[b]);
+      else
+        power[0] += apply(0, g, zero, Z[a], Z[b], Q[a], Q[b]);
+    }
+  }
+}

@@ -1,0 +1,135 @@
+/* Mass matrix of the tree, its reduction by R_z, and the reduced force.  FORMULATION 3, 5 and 6.
+ *
+ *   M_ij = b_i^T IS_j b_j          i = j or i an ancestor of j
+ *   rods add  m/6 (J_a^T J_b + J_b^T J_a),  J = velocity of an end by coordinates
+ *   M^   = R^T M R                 in three parts, with D the dependent rows of R and U its rest:
+ *        = M_uu + D^T Z + Z^T D,   Z = M_du + (upper half of M_dd with half its diagonal) D
+ */
+#include "kernel.h"
+
+/* F = IS b */
+static void composite_force(const double I[10], const double b[6], double F[6])
+{
+  F[0] = I[0] * b[0] + b[4] * I[3] - b[5] * I[2];
+  F[1] = I[0] * b[1] + b[5] * I[1] - b[3] * I[3];
+  F[2] = I[0] * b[2] + b[3] * I[2] - b[4] * I[1];
+  F[3] = I[2] * b[2] - I[3] * b[1] + I[4] * b[3] + I[7] * b[4] + I[8] * b[5];
+  F[4] = I[3] * b[0] - I[1] * b[2] + I[7] * b[3] + I[5] * b[4] + I[9] * b[5];
+  F[5] = I[1] * b[1] - I[2] * b[0] + I[8] * b[3] + I[9] * b[4] + I[6] * b[5];
+}
+
+void maggi_mass_matrix(const maggi_topo *t, const double p[t->np], const double b[t->nbody][6],
+                       const double r[t->npoint][3], const double IS[t->nbody + 1][10],
+                       double Fb[t->nq][6], double rodjac[t->nrodjac][3], double M[t->npair])
+{
+  int i, k, a, c;
+
+  for (i = 0; i < t->nq; ++i)
+    composite_force(IS[t->qbody[i]], b[t->qbody[i]], Fb[i]);
+  for (i = 0; i < t->nq; ++i)
+    for (k = t->pairadr[i]; k < t->pairadr[i + 1]; ++k)
+      M[k] = maggi_dot6(b[t->qbody[t->pairj[k]]], Fb[i]);
+  for (k = t->ntreepair; k < t->npair; ++k)
+    M[k] = 0.0;
+  for (i = 0; i < t->nrodjac; ++i)
+    maggi_point_rate(b[t->qbody[t->rodjacq[i]]], r[t->rodjacpoint[i]], rodjac[i]);
+  for (i = 0; i < t->nrodpair; ++i) {
+    a = t->rodpaira[i];
+    c = t->rodpairb[i];
+    M[t->rodpairm[i]] += p[t->rodadr[t->rodpairrod[i]]] / 6.0 * maggi_dot(rodjac[a], rodjac[c]);
+  }
+}
+
+static void row_axpy(int dst, int src, int begin, int end, double f, int n, const double R[n],
+                     double Z[n])
+{
+  int c;
+
+  for (c = begin; c < end; ++c)
+    Z[dst + c] += f * R[src + c];
+}
+
+/* lower half of D^T Z + Z^T D for one dependent coordinate; its row of D is a part of that of Z */
+static void outer_add(int row, int rbeg, int rend, int zbeg, int zend, int stride, int n,
+                      const double R[n], const double Z[n], int nM, double M[nM])
+{
+  int c, k;
+
+  for (c = rbeg; c < rend; ++c)
+    for (k = zbeg; k <= c; ++k)
+      M[c * stride + k] += R[row + c] * Z[row + k];
+  for (c = rbeg; c < rend; ++c)
+    for (k = rbeg; k <= c; ++k)
+      M[c * stride + k] += Z[row + c] * R[row + k];
+  for (c = rend; c < zend; ++c)
+    for (k = rbeg; k < rend; ++k)
+      M[c * stride + k] += Z[row + c] * R[row + k];
+}
+
+void maggi_reduced_mass(const maggi_topo *t, const double M[t->npair],
+                        const double R[t->nq * t->stride], double MR[t->nq * t->stride],
+                        double Mr[t->ncol * t->stride])
+{
+  int i, c, k, dst, src;
+
+  for (i = 0; i < t->ncol; ++i)
+    for (c = t->first[i]; c <= i; ++c)
+      Mr[i * t->stride + c] = 0.0;
+  for (i = 0; i < t->ndep; ++i)
+    for (c = t->zbeg[t->dep[i]]; c < t->zend[t->dep[i]]; ++c)
+      MR[t->dep[i] * t->stride + c] = 0.0;
+  for (i = 0; i < t->nii; ++i)
+    Mr[t->iirow[i] * t->stride + t->iicol[i]] += M[t->iipair[i]];
+  for (i = 0; i < t->nid; ++i)
+    MR[t->iddep[i] * t->stride + t->idcol[i]] += M[t->idpair[i]];
+  for (i = 0; i < t->ndd; ++i) {
+    k = t->ddpair[i];
+    dst = t->dddst[i];
+    src = t->ddsrc[i];
+    row_axpy(dst * t->stride, src * t->stride, t->rbeg[src], t->rend[src],
+             dst == src ? 0.5 * M[k] : M[k], t->nq * t->stride, R, MR);
+  }
+  for (i = 0; i < t->ndep; ++i) {
+    k = t->dep[i];
+    outer_add(k * t->stride, t->rbeg[k], t->rend[k], t->zbeg[k], t->zend[k], t->stride,
+              t->nq * t->stride, R, MR, t->ncol * t->stride, Mr);
+  }
+}
+
+/* f_i = b_i.FS_i + tau_i,  R^T f */
+void maggi_reduced_force(const maggi_topo *t, const double b[t->nbody][6],
+                         const double FS[t->nbody + 1][6], const double tau[t->nq],
+                         const double R[t->nq * t->stride], double f[t->nq], double fr[t->ncol])
+{
+  int i, k, c;
+
+  for (i = 0; i < t->nq; ++i)
+    f[i] = maggi_dot6(b[t->qbody[i]], FS[t->qbody[i]]) + tau[i];
+  for (c = 0; c < t->ncol; ++c)
+    fr[c] = f[t->colq[c]];
+  for (i = 0; i < t->ndep; ++i) {
+    k = t->dep[i];
+    for (c = t->rbeg[k]; c < t->rend[k]; ++c)
+      fr[c] += R[k * t->stride + c] * f[k];
+  }
+}
+
+/* torque or force of a guide: its row of M^ a - R^T f */
+void maggi_drives(const maggi_topo *t, const double Mr[t->ncol * t->stride],
+                  const double fr[t->ncol], const double acol[t->ncol], double drive[t->ncol])
+{
+  int i, k;
+  double s;
+
+  for (i = 0; i < t->nind; ++i)
+    drive[i] = 0.0;
+  for (i = t->nind; i < t->ncol; ++i) {
+    s = -fr[i];
+    for (k = t->first[i]; k <= i; ++k)
+      s += Mr[i * t->stride + k] * acol[k];
+    for (k = i + 1; k < t->ncol; ++k)
+      if (t->first[k] <= i)
+        s += Mr[k * t->stride + i] * acol[k];
+    drive[i] = s;
+  }
+}

@@ -1,0 +1,39 @@
+/* What a builder has collected: copies of the definitions, checked one by one. */
+#ifndef MAGGI_BUILDER_H
+#define MAGGI_BUILDER_H
+
+#include "arena.h"
+#include "maggi/maggi.h"
+
+enum { MAGGI_MESSAGE_SIZE = 512 };
+
+/* kind, section of the model file */
+#define MAGGI_BUILDER_LIST(X)                                                                      \
+  X(body, bodies)                                                                                  \
+  X(point_mass, point_masses)                                                                      \
+  X(loop, loops)                                                                                   \
+  X(rod, rods)                                                                                     \
+  X(spring, springs)                                                                               \
+  X(joint_spring, joint_springs)                                                                   \
+  X(force, forces)                                                                                 \
+  X(function, functions)                                                                           \
+  X(sensor, sensors)
+
+struct maggi_builder {
+  maggi_arena arena;
+  const char *name;
+  const char *source;
+  double gravity[3];
+  maggi_simulation_def simulation;
+#define X(kind, section)                                                                           \
+  maggi_##kind##_def *kind;                                                                        \
+  int n##kind, cap##kind;
+  MAGGI_BUILDER_LIST(X)
+#undef X
+  char message[MAGGI_MESSAGE_SIZE];
+};
+
+/* Sets the message and returns status. */
+maggi_status maggi_builder_fail(maggi_builder *b, maggi_status status, const char *format, ...);
+
+#endif

@@ -1,0 +1,258 @@
+/* Functions of time, springs, loads and sensors. */
+#include <math.h>
+#include <stdio.h>
+
+#include "compile.h"
+
+static const char *const sine_names[] = {"amplitude", "omega", "phase", "offset"};
+static const char *const step_names[] = {"t0", "t1", "y0", "y1"};
+
+static int add_function(maggi_compile *c, const maggi_function_def *d)
+{
+  int k, adr, first = -1;
+  const char *unit;
+
+  for (k = 0; d->times && k < d->number; ++k) {
+    adr = maggi_parameter_add(c, d->times[k], "s", MAGGI_BOUND_NONE, "functions.%s.times.%d",
+                              d->name, k + 1);
+    first = k == 0 ? adr : first;
+  }
+  for (k = 0; k < d->number; ++k) {
+    unit = "-";
+    if (d->type == MAGGI_FUNCTION_CONSTANT) {
+      adr = maggi_parameter_add(c, d->values[k], unit, MAGGI_BOUND_NONE, "functions.%s.value",
+                                d->name);
+    } else if (d->type == MAGGI_FUNCTION_SINE) {
+      unit = k == 1 ? "rad/s" : k == 2 ? "rad" : "-";
+      adr = maggi_parameter_add(c, d->values[k], unit, MAGGI_BOUND_NONE, "functions.%s.%s",
+                                d->name, sine_names[k]);
+    } else if (d->type == MAGGI_FUNCTION_STEP) {
+      unit = k < 2 ? "s" : "-";
+      adr = maggi_parameter_add(c, d->values[k], unit, MAGGI_BOUND_NONE, "functions.%s.%s",
+                                d->name, step_names[k]);
+    } else if (d->type == MAGGI_FUNCTION_POLYNOMIAL) {
+      adr = maggi_parameter_add(c, d->values[k], unit, MAGGI_BOUND_NONE,
+                                "functions.%s.coefficients.%d", d->name, k);
+    } else {
+      adr = maggi_parameter_add(c, d->values[k], unit, MAGGI_BOUND_NONE, "functions.%s.values.%d",
+                                d->name, k + 1);
+    }
+    first = first < 0 ? adr : first;
+  }
+  return first;
+}
+
+/* functions, and which coordinates they guide */
+maggi_status maggi_compile_functions(maggi_compile *c)
+{
+  maggi_builder *b = c->b;
+  maggi_status status;
+  int i, k, id;
+
+  for (i = 0; i < b->nfunction; ++i) {
+    PUSH(funkind, b->function[i].type);
+    PUSH(funadr, add_function(c, &b->function[i]));
+    PUSH(funn, b->function[i].number);
+    PUSH(funspline, c->t->nspline);
+    if (b->function[i].type == MAGGI_FUNCTION_SPLINE)
+      c->t->nspline += b->function[i].number;
+  }
+  c->t->nfun = b->nfunction;
+  for (i = 0; i < c->t->nq; ++i)
+    PUSH(qguide, -1);
+  if (c->no_memory)
+    return MAGGI_E_MEMORY;
+  for (i = 0; i < b->nbody; ++i) {
+    for (k = 0; k < maggi_joint_dof(b->body[i].joint); ++k) {
+      if (!b->body[i].motion[k])
+        continue;
+      status = maggi_compile_function(c, "bodies", b->body[i].name, b->body[i].motion[k], &id);
+      if (status != MAGGI_OK)
+        return status;
+      c->qguide.v[c->m->coordinate[c->m->body[i].coordinate + k].q] = id;
+      ++c->t->nguide;
+    }
+  }
+  return MAGGI_OK;
+}
+
+static maggi_status add_spring(maggi_compile *c, const maggi_spring_def *d)
+{
+  static const char *const slope[] = {"c1", "c2", "c3", "c4", "v11", "v22"};
+  maggi_status status;
+  double values[6];
+  int ba, bb, adr, k, preload = isnan(d->free_length);
+
+  status = maggi_compile_link(c, "springs", d->name, "body_a", d->body_a, &ba);
+  if (status == MAGGI_OK)
+    status = maggi_compile_link(c, "springs", d->name, "body_b", d->body_b, &bb);
+  if (status != MAGGI_OK)
+    return status;
+  if (ba == bb)
+    return maggi_builder_fail(c->b, MAGGI_E_MODEL,
+                              "springs.%s: body_a and body_b are the same body", d->name);
+  adr = maggi_parameter_add(c, d->stiffness, "N/m", MAGGI_BOUND_NONE, "springs.%s.stiffness",
+                            d->name);
+  if (preload)
+    maggi_parameter_add(c, d->preload, "N", MAGGI_BOUND_NONE, "springs.%s.preload", d->name);
+  else
+    maggi_parameter_add(c, d->free_length, "m", MAGGI_BOUND_NOT_NEGATIVE, "springs.%s.free_length",
+                        d->name);
+  maggi_parameter_add(c, d->damping, "N s/m", MAGGI_BOUND_NONE, "springs.%s.damping", d->name);
+  if (d->has_slopes) {
+    for (k = 0; k < 4; ++k)
+      values[k] = d->c[k];
+    values[4] = d->v11;
+    values[5] = d->v22;
+    for (k = 0; k < 6; ++k)
+      maggi_parameter_add(c, values[k], k < 4 ? "N s/m" : "m/s", MAGGI_BOUND_NONE, "springs.%s.%s",
+                          d->name, slope[k]);
+  }
+  PUSH(springadr, adr);
+  PUSH(springpreload, preload);
+  PUSH(springslopes, d->has_slopes != 0);
+  adr = maggi_parameter_add3(c, d->point_a, "m", "springs.%s.point_a", d->name);
+  PUSH(springpa, maggi_compile_point(c, ba, adr));
+  adr = maggi_parameter_add3(c, d->point_b, "m", "springs.%s.point_b", d->name);
+  PUSH(springpb, maggi_compile_point(c, bb, adr));
+  return MAGGI_OK;
+}
+
+static maggi_status add_joint_spring(maggi_compile *c, const maggi_joint_spring_def *d)
+{
+  maggi_status status;
+  int q, q2 = -1, adr, k;
+  const char *force, *angle = "rad", *unit[4];
+
+  status = maggi_compile_coordinate(c, "joint_springs", d->name, d->coordinate, &q);
+  if (status == MAGGI_OK && d->coordinate2)
+    status = maggi_compile_coordinate(c, "joint_springs", d->name, d->coordinate2, &q2);
+  if (status != MAGGI_OK)
+    return status;
+  if (q == q2)
+    return maggi_builder_fail(c->b, MAGGI_E_MODEL,
+                              "joint_springs.%s: the two coordinates are the same", d->name);
+  for (k = 0; k < c->m->ncoordinate; ++k)
+    if (c->m->coordinate[k].q == q && !c->m->coordinate[k].is_angle)
+      angle = "m";
+  force = angle[0] == 'r' ? "N m" : "N";
+  unit[0] = angle[0] == 'r' ? "N m/rad" : "N/m";
+  unit[1] = angle[0] == 'r' ? "N m s/rad" : "N s/m";
+  unit[2] = angle;
+  unit[3] = force;
+  adr = maggi_parameter_add(c, d->stiffness, unit[0], MAGGI_BOUND_NONE,
+                            "joint_springs.%s.stiffness", d->name);
+  maggi_parameter_add(c, d->damping, unit[1], MAGGI_BOUND_NONE, "joint_springs.%s.damping",
+                      d->name);
+  maggi_parameter_add(c, d->rest, unit[2], MAGGI_BOUND_NONE, "joint_springs.%s.rest", d->name);
+  maggi_parameter_add(c, d->preload, unit[3], MAGGI_BOUND_NONE, "joint_springs.%s.preload",
+                      d->name);
+  PUSH(jspringq, q);
+  PUSH(jspringq2, q2);
+  PUSH(jspringadr, adr);
+  return MAGGI_OK;
+}
+
+static maggi_status add_force(maggi_compile *c, const maggi_force_def *d)
+{
+  maggi_status status = MAGGI_OK;
+  int body = -1, reaction = c->t->nbody, q = -1, fun = -1, point = -1, adr;
+  int is_force = d->type == MAGGI_FORCE_GLOBAL || d->type == MAGGI_FORCE_BODY;
+
+  if (d->function)
+    status = maggi_compile_function(c, "forces", d->name, d->function, &fun);
+  if (status == MAGGI_OK && d->type == MAGGI_FORCE_JOINT)
+    status = maggi_compile_coordinate(c, "forces", d->name, d->coordinate, &q);
+  if (status == MAGGI_OK && d->type != MAGGI_FORCE_JOINT)
+    status = maggi_compile_link(c, "forces", d->name, "body", d->body, &body);
+  if (status == MAGGI_OK && d->type != MAGGI_FORCE_JOINT && d->reaction)
+    status = maggi_compile_link(c, "forces", d->name, "reaction", d->reaction, &reaction);
+  if (status != MAGGI_OK)
+    return status;
+  if (body == c->t->nbody)
+    return maggi_builder_fail(c->b, MAGGI_E_MODEL, "forces.%s: a load on the ground does nothing",
+                              d->name);
+  if (body == reaction)
+    return maggi_builder_fail(c->b, MAGGI_E_MODEL,
+                              "forces.%s: body and reaction are the same body", d->name);
+  if (d->type == MAGGI_FORCE_JOINT)
+    adr = maggi_parameter_add(c, d->value[0], "N or N m", MAGGI_BOUND_NONE, "forces.%s.value",
+                              d->name);
+  else
+    adr = maggi_parameter_add3(c, d->value, is_force ? "N" : "N m", "forces.%s.value", d->name);
+  PUSH(forceadr, adr);
+  if (is_force) {
+    adr = maggi_parameter_add3(c, d->point, "m", "forces.%s.point", d->name);
+    point = maggi_compile_point(c, body, adr);
+  }
+  PUSH(forcekind, d->type);
+  PUSH(forcebody, body);
+  PUSH(forcereaction, reaction);
+  PUSH(forcepoint, point);
+  PUSH(forceq, q);
+  PUSH(forcefun, fun);
+  return MAGGI_OK;
+}
+
+maggi_status maggi_compile_elements(maggi_compile *c)
+{
+  maggi_builder *b = c->b;
+  maggi_topo *t = c->t;
+  maggi_status status = MAGGI_OK;
+  int i;
+
+  for (i = 0; i < b->nspring && status == MAGGI_OK; ++i)
+    status = add_spring(c, &b->spring[i]);
+  for (i = 0; i < b->njoint_spring && status == MAGGI_OK; ++i)
+    status = add_joint_spring(c, &b->joint_spring[i]);
+  for (i = 0; i < b->nforce && status == MAGGI_OK; ++i)
+    status = add_force(c, &b->force[i]);
+  t->nspring = b->nspring;
+  t->njspring = b->njoint_spring;
+  t->nforce = b->nforce;
+  t->npoint = t->npointdyn = c->pointbody.n;
+  return status;
+}
+
+maggi_status maggi_compile_sensors(maggi_compile *c)
+{
+  static const char *const axis[] = {"x", "y", "z"}, *const angle[] = {"roll", "pitch", "yaw"};
+  static const char *const unit[] = {"m", "m/s", "m/s^2", "rad"};
+  maggi_builder *b = c->b;
+  maggi_model *m = c->m;
+  maggi_status status;
+  size_t n = (size_t)b->nsensor * 3 + 1;
+  int i, k, body, adr, point;
+
+  m->sensorcolumn = maggi_arena_alloc(&m->arena, n * sizeof *m->sensorcolumn);
+  m->sensorunit = maggi_arena_alloc(&m->arena, n * sizeof *m->sensorunit);
+  if (!m->sensorcolumn || !m->sensorunit)
+    return MAGGI_E_MEMORY;
+  for (i = 0; i < b->nsensor; ++i) {
+    const maggi_sensor_def *d = &b->sensor[i];
+
+    status = maggi_compile_link(c, "sensors", d->name, "body", d->body, &body);
+    if (status != MAGGI_OK)
+      return status;
+    point = -1;
+    if (d->type != MAGGI_SENSOR_ANGLES) {
+      adr = maggi_parameter_add3(c, d->point, "m", "sensors.%s.point", d->name);
+      point = c->pointbody.n;
+      PUSH(pointbody, body);
+      PUSH(pointadr, adr);
+    }
+    PUSH(sensorkind, d->type);
+    PUSH(sensorbody, body);
+    PUSH(sensorpoint, point);
+    for (k = 0; k < 3; ++k) {
+      m->sensorcolumn[3 * i + k] = maggi_arena_format(
+          &m->arena, "%s.%s", d->name, d->type == MAGGI_SENSOR_ANGLES ? angle[k] : axis[k]);
+      m->sensorunit[3 * i + k] = unit[d->type];
+      if (!m->sensorcolumn[3 * i + k])
+        return MAGGI_E_MEMORY;
+    }
+  }
+  c->t->nsensor = b->nsensor;
+  c->t->npoint = c->pointbody.n;
+  return MAGGI_OK;
+}

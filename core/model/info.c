@@ -1,0 +1,134 @@
+/* What one can ask a model. */
+#include <math.h>
+#include <string.h>
+
+#include "model.h"
+
+void maggi_model_get_info(const maggi_model *m, maggi_model_info *info)
+{
+  info->name = m->name;
+  info->source = m->source;
+  info->bodies = m->nbody;
+  info->coordinates = m->ncoordinate;
+  info->guided = m->topo.nguide;
+  info->loops = m->nloop;
+  info->loop_equations = m->topo.nrow;
+  info->parameters = m->nparameter;
+  info->sensors = m->topo.nsensor;
+  info->sensor_columns = 3 * m->topo.nsensor;
+  info->simulation = m->simulation;
+}
+
+static int in(int i, int n)
+{
+  return i >= 0 && i < n;
+}
+
+const char *maggi_body_name(const maggi_model *m, int body)
+{
+  return in(body, m->nbody) ? m->body[body].name : NULL;
+}
+
+const char *maggi_body_parent(const maggi_model *m, int body)
+{
+  if (!in(body, m->nbody))
+    return NULL;
+  return m->body[body].parent < 0 ? MAGGI_GROUND : m->body[m->body[body].parent].name;
+}
+
+maggi_joint_type maggi_body_joint(const maggi_model *m, int body)
+{
+  return in(body, m->nbody) ? m->body[body].joint : MAGGI_JOINT_TYPE_COUNT;
+}
+
+const char *maggi_coordinate_name(const maggi_model *m, int coordinate)
+{
+  return in(coordinate, m->ncoordinate) ? m->coordinate[coordinate].name : NULL;
+}
+
+int maggi_coordinate_is_guided(const maggi_model *m, int coordinate)
+{
+  return in(coordinate, m->ncoordinate) && m->coordinate[coordinate].guided;
+}
+
+int maggi_coordinate_is_angle(const maggi_model *m, int coordinate)
+{
+  return in(coordinate, m->ncoordinate) && m->coordinate[coordinate].is_angle;
+}
+
+const char *maggi_loop_name(const maggi_model *m, int loop)
+{
+  return in(loop, m->nloop) ? m->loop[loop].name : NULL;
+}
+
+const char *maggi_loop_kind(const maggi_model *m, int loop)
+{
+  return in(loop, m->nloop) ? m->loop[loop].kind : NULL;
+}
+
+int maggi_loop_rows(const maggi_model *m, int loop)
+{
+  return in(loop, m->nloop) ? m->loop[loop].rows : 0;
+}
+
+const char *maggi_sensor_column_name(const maggi_model *m, int column)
+{
+  return in(column, 3 * m->topo.nsensor) ? m->sensorcolumn[column] : NULL;
+}
+
+const char *maggi_sensor_column_unit(const maggi_model *m, int column)
+{
+  return in(column, 3 * m->topo.nsensor) ? m->sensorunit[column] : NULL;
+}
+
+int maggi_body_find(const maggi_model *m, const char *name)
+{
+  int i;
+
+  for (i = 0; i < m->nbody; ++i)
+    if (strcmp(m->body[i].name, name) == 0)
+      return i;
+  return -1;
+}
+
+int maggi_coordinate_find(const maggi_model *m, const char *name)
+{
+  int i;
+
+  for (i = 0; i < m->ncoordinate; ++i)
+    if (strcmp(m->coordinate[i].name, name) == 0)
+      return i;
+  return -1;
+}
+
+const char *maggi_parameter_path(const maggi_model *m, int index)
+{
+  return in(index, m->nparameter) ? m->parameter[index].path : NULL;
+}
+
+const char *maggi_parameter_unit(const maggi_model *m, int index)
+{
+  return in(index, m->nparameter) ? m->parameter[index].unit : NULL;
+}
+
+double maggi_parameter_default(const maggi_model *m, int index)
+{
+  return in(index, m->nparameter) ? m->parameter[index].value : NAN;
+}
+
+int maggi_parameter_find(const maggi_model *m, const char *path)
+{
+  int low = 0, high = m->nparameter, mid, order;
+
+  while (low < high) {
+    mid = low + (high - low) / 2;
+    order = strcmp(m->parameter[m->pathindex[mid]].path, path);
+    if (order == 0)
+      return m->pathindex[mid];
+    if (order < 0)
+      low = mid + 1;
+    else
+      high = mid;
+  }
+  return -1;
+}

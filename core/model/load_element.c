@@ -1,0 +1,258 @@
+/* Entries of all lists but `bodies`. */
+#include "load_build.h"
+
+#include <math.h>
+
+static const char *loop_word(int i)
+{
+  return maggi_loop_type_name((maggi_loop_type)i);
+}
+
+static const char *force_word(int i)
+{
+  return maggi_force_type_name((maggi_force_type)i);
+}
+
+static const char *function_word(int i)
+{
+  return maggi_function_type_name((maggi_function_type)i);
+}
+
+static const char *sensor_word(int i)
+{
+  return maggi_sensor_type_name((maggi_sensor_type)i);
+}
+
+static const load_words loop_words = {loop_word, maggi_loop_type_find};
+static const load_words force_words = {force_word, maggi_force_type_find};
+static const load_words function_words = {function_word, maggi_function_type_find};
+static const load_words sensor_words = {sensor_word, maggi_sensor_type_find};
+
+/* ------------------------------------------------------------------------------- loops and rods */
+
+/* A side pair is `point`, shared by both bodies, or `point_a` and `point_b`; likewise the axes. */
+static maggi_status check_sides(const load_build *b, const char *key, const double *shared,
+                                const double *side_a, const double *side_b)
+{
+  if (shared && (side_a || side_b))
+    return maggi_load_fail_at(b, "", "\"%s\" is for both bodies, so without \"%s_a\" and \"%s_b\"",
+                              key, key, key);
+  if (!shared && !(side_a && side_b))
+    return maggi_load_fail_at(b, "", "key \"%s\" is missing, or \"%s_a\" and \"%s_b\"", key, key,
+                              key);
+  return MAGGI_OK;
+}
+
+maggi_status maggi_load_loop(const load_build *b, const load_loop *loop)
+{
+  maggi_loop_def def;
+  int any_axis = loop->axis || loop->axis_a || loop->axis_b;
+  int type;
+  maggi_status status;
+
+  maggi_loop_def_init(&def);
+  status = maggi_load_word(b, ".type", loop->type, &loop_words, &type);
+  if (status) return status;
+  if (type == MAGGI_LOOP_SPHERICAL && any_axis)
+    return maggi_load_fail_at(b, "", "type %s has no axis", loop->type);
+  if (type == MAGGI_LOOP_UNIVERSAL && loop->axis)
+    return maggi_load_fail_at(b, "", "type %s has \"axis_a\" and \"axis_b\"", loop->type);
+  status = check_sides(b, "point", loop->point, loop->point_a, loop->point_b);
+  if (status == MAGGI_OK && type != MAGGI_LOOP_SPHERICAL)
+    status = check_sides(b, "axis", loop->axis, loop->axis_a, loop->axis_b);
+  if (status) return status;
+
+  def.name = loop->name;
+  def.type = (maggi_loop_type)type;
+  def.body_a = loop->body_a;
+  def.body_b = loop->body_b;
+  def.has_b = loop->point_b || (loop->axis_b && type != MAGGI_LOOP_UNIVERSAL);
+  maggi_load_copy3(def.point_a, loop->point ? loop->point : loop->point_a);
+  maggi_load_copy3(def.point_b, loop->point ? loop->point : loop->point_b);
+  maggi_load_copy3(def.axis_a, loop->axis ? loop->axis : loop->axis_a);
+  maggi_load_copy3(def.axis_b, loop->axis ? loop->axis : loop->axis_b);
+  return maggi_load_added(b, "", maggi_builder_loop(b->builder, &def));
+}
+
+maggi_status maggi_load_rod(const load_build *b, const load_rod *rod)
+{
+  maggi_rod_def def;
+
+  maggi_rod_def_init(&def);
+  def.name = rod->name;
+  def.body_a = rod->body_a;
+  def.body_b = rod->body_b;
+  maggi_load_copy3(def.point_a, rod->point_a);
+  maggi_load_copy3(def.point_b, rod->point_b);
+  def.mass = rod->mass;
+  if (rod->length) def.length = *rod->length;
+  return maggi_load_added(b, "", maggi_builder_rod(b->builder, &def));
+}
+
+/* --------------------------------------------------------------------------- springs and forces */
+
+maggi_status maggi_load_spring(const load_build *b, const load_spring *spring)
+{
+  maggi_spring_def def;
+
+  maggi_spring_def_init(&def);
+  if (spring->free_length && spring->preload)
+    return maggi_load_fail_at(b, "", "\"free_length\" and \"preload\" together");
+  def.name = spring->name;
+  def.body_a = spring->body_a;
+  def.body_b = spring->body_b;
+  maggi_load_copy3(def.point_a, spring->point_a);
+  maggi_load_copy3(def.point_b, spring->point_b);
+  def.stiffness = spring->stiffness;
+  def.free_length = spring->free_length ? *spring->free_length : NAN;
+  def.preload = spring->preload ? *spring->preload : 0.0;
+  def.damping = spring->damping;
+  if (spring->slopes) {
+    def.has_slopes = 1;
+    def.c[0] = spring->slopes->c1;
+    def.c[1] = spring->slopes->c2;
+    def.c[2] = spring->slopes->c3;
+    def.c[3] = spring->slopes->c4;
+    def.v11 = spring->slopes->v11;
+    def.v22 = spring->slopes->v22;
+  }
+  return maggi_load_added(b, "", maggi_builder_spring(b->builder, &def));
+}
+
+maggi_status maggi_load_joint_spring(const load_build *b, const load_joint_spring *spring)
+{
+  maggi_joint_spring_def def;
+
+  maggi_joint_spring_def_init(&def);
+  def.name = spring->name;
+  def.coordinate = spring->coordinate;
+  def.coordinate2 = spring->coordinate2;
+  def.stiffness = spring->stiffness;
+  def.damping = spring->damping;
+  def.rest = spring->rest;
+  def.preload = spring->preload;
+  return maggi_load_added(b, "", maggi_builder_joint_spring(b->builder, &def));
+}
+
+maggi_status maggi_load_force(const load_build *b, const load_force *force)
+{
+  /* body, reaction, point, value, coordinate, effort */
+  static const char *const rules[MAGGI_FORCE_TYPE_COUNT] = {[MAGGI_FORCE_GLOBAL] = "rorr--",
+                                                            [MAGGI_FORCE_BODY] = "rorr--",
+                                                            [MAGGI_TORQUE_GLOBAL] = "ro-r--",
+                                                            [MAGGI_TORQUE_BODY] = "ro-r--",
+                                                            [MAGGI_FORCE_JOINT] = "----rr"};
+  const load_key keys[] = {{"body", force->body != NULL},
+                           {"reaction", force->reaction != NULL},
+                           {"point", force->point != NULL},
+                           {"value", force->value != NULL},
+                           {"coordinate", force->coordinate != NULL},
+                           {"effort", force->effort != NULL}};
+  maggi_force_def def;
+  int type;
+  maggi_status status;
+
+  maggi_force_def_init(&def);
+  status = maggi_load_word(b, ".type", force->type, &force_words, &type);
+  if (status == MAGGI_OK) status = maggi_load_keys(b, "", force->type, rules[type], keys);
+  if (status) return status;
+  def.name = force->name;
+  def.type = (maggi_force_type)type;
+  def.body = force->body;
+  def.reaction = force->reaction;
+  def.coordinate = force->coordinate;
+  def.function = force->function;
+  maggi_load_copy3(def.point, force->point);
+  maggi_load_copy3(def.value, force->value);
+  if (force->effort) def.value[0] = *force->effort;
+  return maggi_load_added(b, "", maggi_builder_force(b->builder, &def));
+}
+
+/* ------------------------------------------------------------------------ functions and sensors */
+
+static double number_or_zero(const double *number)
+{
+  return number ? *number : 0.0;
+}
+
+maggi_status maggi_load_function(const load_build *b, const load_function *f)
+{
+  /* value; amplitude, omega, phase, offset; t0, t1, y0, y1; coefficients; times, values */
+  static const char *const rules[MAGGI_FUNCTION_TYPE_COUNT] = {
+      [MAGGI_FUNCTION_CONSTANT] = "r-----------", [MAGGI_FUNCTION_POLYNOMIAL] = "---------r--",
+      [MAGGI_FUNCTION_SINE] = "-rroo-------",     [MAGGI_FUNCTION_STEP] = "-----rrrr---",
+      [MAGGI_FUNCTION_KNOTS] = "----------rr",    [MAGGI_FUNCTION_SPLINE] = "----------rr"};
+  const load_key keys[] = {{"value", f->value != NULL},   {"amplitude", f->amplitude != NULL},
+                           {"omega", f->omega != NULL},   {"phase", f->phase != NULL},
+                           {"offset", f->offset != NULL}, {"t0", f->t0 != NULL},
+                           {"t1", f->t1 != NULL},         {"y0", f->y0 != NULL},
+                           {"y1", f->y1 != NULL},         {"coefficients", f->coefficients != NULL},
+                           {"times", f->times != NULL},   {"values", f->values != NULL}};
+  maggi_function_def def;
+  double scalars[4] = {0.0, 0.0, 0.0, 0.0};
+  int type;
+  maggi_status status;
+
+  maggi_function_def_init(&def);
+  status = maggi_load_word(b, ".type", f->type, &function_words, &type);
+  if (status == MAGGI_OK) status = maggi_load_keys(b, "", f->type, rules[type], keys);
+  if (status) return status;
+  if (f->times_count != f->values_count)
+    return maggi_load_fail_at(b, ".values", "%u values for %u times", f->values_count,
+                              f->times_count);
+  def.name = f->name;
+  def.type = (maggi_function_type)type;
+  def.values = scalars;
+  switch (def.type) {
+  case MAGGI_FUNCTION_CONSTANT:
+    def.number = 1;
+    scalars[0] = *f->value;
+    break;
+  case MAGGI_FUNCTION_SINE:
+    def.number = 4;
+    scalars[0] = *f->amplitude;
+    scalars[1] = *f->omega;
+    scalars[2] = number_or_zero(f->phase);
+    scalars[3] = number_or_zero(f->offset);
+    break;
+  case MAGGI_FUNCTION_STEP:
+    def.number = 4;
+    scalars[0] = *f->t0;
+    scalars[1] = *f->t1;
+    scalars[2] = *f->y0;
+    scalars[3] = *f->y1;
+    break;
+  case MAGGI_FUNCTION_POLYNOMIAL:
+    def.number = (int)f->coefficients_count;
+    def.values = f->coefficients;
+    break;
+  default: /* knots, spline */
+    def.number = (int)f->times_count;
+    def.times = f->times;
+    def.values = f->values;
+    break;
+  }
+  return maggi_load_added(b, "", maggi_builder_function(b->builder, &def));
+}
+
+maggi_status maggi_load_sensor(const load_build *b, const load_sensor *sensor)
+{
+  static const char *const rules[MAGGI_SENSOR_TYPE_COUNT] = {[MAGGI_SENSOR_POSITION] = "r",
+                                                             [MAGGI_SENSOR_VELOCITY] = "r",
+                                                             [MAGGI_SENSOR_ACCELERATION] = "r",
+                                                             [MAGGI_SENSOR_ANGLES] = "-"};
+  const load_key keys[] = {{"point", sensor->point != NULL}};
+  maggi_sensor_def def;
+  int type;
+  maggi_status status;
+
+  maggi_sensor_def_init(&def);
+  status = maggi_load_word(b, ".type", sensor->type, &sensor_words, &type);
+  if (status == MAGGI_OK) status = maggi_load_keys(b, "", sensor->type, rules[type], keys);
+  if (status) return status;
+  def.name = sensor->name;
+  def.type = (maggi_sensor_type)type;
+  def.body = sensor->body;
+  maggi_load_copy3(def.point, sensor->point);
+  return maggi_load_added(b, "", maggi_builder_sensor(b->builder, &def));
+}

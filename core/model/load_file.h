@@ -1,0 +1,216 @@
+/* The model file in memory, and the steps that read it:
+ *
+ *   load.c         bytes of the file, message, order of the steps
+ *   load_check.c   every key, type, length and number against the tables, with the line of an error
+ *   load_schema.c  the tables of keys, for load_check.c and for libcyaml, which fills load_model
+ *   load_build.c   load_model -> maggi_builder -> maggi_model, with
+ *   load_body.c    .. the bodies and
+ *   load_element.c .. all other lists
+ *   load_line.c    line of an entry, for errors that are found later
+ *
+ * load_check.c does not leave checking to libcyaml because libcyaml 1.3 takes "1.0abc" and "1,5"
+ * as 1, drops all documents but the first, and cannot say which keys it would have liked.
+ */
+#ifndef MAGGI_MODEL_LOAD_FILE_H
+#define MAGGI_MODEL_LOAD_FILE_H
+
+#include "maggi/maggi.h"
+
+#include <cyaml/cyaml.h>
+
+/* Where a message goes: message is nmessage chars, or NULL. */
+typedef struct load_error {
+  const char *file;
+  char *message;
+  size_t nmessage;
+} load_error;
+
+/* What the keys hold.  A pointer is NULL when its key is absent; vectors are three numbers; a list
+ * is followed by its count, as libcyaml wants it. */
+
+typedef struct load_joint {
+  char *type;
+  double *point;
+  double *axis;
+  double *axis2;
+  double *position; /* of joints with one coordinate; the lists are for all others */
+  double *velocity;
+  double *guess;
+  char *motion;
+  double **positions; /* an entry is NULL when it is null in the file */
+  unsigned positions_count;
+  double **velocities;
+  unsigned velocities_count;
+  double **guesses;
+  unsigned guesses_count;
+  char **motions;
+  unsigned motions_count;
+} load_joint;
+
+typedef struct load_inertia {
+  double xx, yy, zz, xy, xz, yz;
+} load_inertia;
+
+typedef struct load_bar {
+  double from[3];
+  double to[3];
+} load_bar;
+
+typedef struct load_point_mass {
+  char *name;
+  double mass;
+  double point[3];
+} load_point_mass;
+
+typedef struct load_body {
+  char *name;
+  char *parent;
+  load_joint joint;
+  double mass;
+  double *cog;
+  load_inertia *inertia;
+  load_bar *bar;
+  load_point_mass *point_masses;
+  unsigned point_masses_count;
+} load_body;
+
+typedef struct load_loop {
+  char *name;
+  char *type;
+  char *body_a;
+  char *body_b;
+  double *point;
+  double *point_a;
+  double *point_b;
+  double *axis;
+  double *axis_a;
+  double *axis_b;
+} load_loop;
+
+typedef struct load_rod {
+  char *name;
+  char *body_a;
+  char *body_b;
+  double point_a[3];
+  double point_b[3];
+  double mass;
+  double *length;
+} load_rod;
+
+typedef struct load_slopes {
+  double c1, c2, c3, c4, v11, v22;
+} load_slopes;
+
+typedef struct load_spring {
+  char *name;
+  char *body_a;
+  char *body_b;
+  double point_a[3];
+  double point_b[3];
+  double stiffness;
+  double *free_length;
+  double *preload;
+  double damping;
+  load_slopes *slopes;
+} load_spring;
+
+typedef struct load_joint_spring {
+  char *name;
+  char *coordinate;
+  char *coordinate2;
+  double stiffness;
+  double damping;
+  double rest;
+  double preload;
+} load_joint_spring;
+
+typedef struct load_force {
+  char *name;
+  char *type;
+  char *body;
+  char *reaction;
+  char *coordinate;
+  char *function;
+  double *point;
+  double *value;
+  double *effort;
+} load_force;
+
+typedef struct load_function {
+  char *name;
+  char *type;
+  double *value;
+  double *amplitude;
+  double *omega;
+  double *phase;
+  double *offset;
+  double *t0;
+  double *t1;
+  double *y0;
+  double *y1;
+  double *coefficients;
+  unsigned coefficients_count;
+  double *times;
+  unsigned times_count;
+  double *values;
+  unsigned values_count;
+} load_function;
+
+typedef struct load_sensor {
+  char *name;
+  char *type;
+  char *body;
+  double *point;
+} load_sensor;
+
+typedef struct load_simulation {
+  double time;
+  double step;
+} load_simulation;
+
+typedef struct load_model {
+  char *format;
+  int version;
+  char *name;
+  char *source;
+  double *gravity;
+  load_simulation *simulation;
+  load_body *bodies;
+  unsigned bodies_count;
+  load_loop *loops;
+  unsigned loops_count;
+  load_rod *rods;
+  unsigned rods_count;
+  load_spring *springs;
+  unsigned springs_count;
+  load_joint_spring *joint_springs;
+  unsigned joint_springs_count;
+  load_force *forces;
+  unsigned forces_count;
+  load_function *functions;
+  unsigned functions_count;
+  load_sensor *sensors;
+  unsigned sensors_count;
+} load_model;
+
+#define MAGGI_LOAD_FORMAT  "maggi" /* of the key `format`, the first of a file */
+#define MAGGI_LOAD_VERSION "1"     /* of the key `version`, the second         */
+
+/* The table of the whole file, a mapping. */
+extern const cyaml_schema_value_t maggi_load_schema;
+
+/* Write `FILE:LINE: text` on one line; line 0 is left out.  Returns MAGGI_E_MODEL. */
+maggi_status maggi_load_fail(const load_error *e, size_t line, const char *format, ...);
+
+/* Check the text against the tables; status MAGGI_OK, MAGGI_E_MODEL, MAGGI_E_MEMORY. */
+maggi_status maggi_load_check(const load_error *e, const char *bytes, size_t n);
+
+/* Line of a path such as bodies[3].joint.axis or bodies.crank.joint: that of the deepest part of it
+ * which exists, at least 1. */
+size_t maggi_load_line(const char *bytes, size_t n, const char *path);
+
+/* Build the model; status as maggi_model_create. */
+maggi_status maggi_load_build(const load_error *e, const char *bytes, size_t n,
+                              const load_model *file, maggi_model **model);
+
+#endif

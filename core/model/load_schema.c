@@ -1,0 +1,166 @@
+/* The keys of a model file, once: type, whether required, and where the value goes.
+ *
+ * models/README.md says what each key means.
+ */
+#include "load_file.h"
+
+/* rows of the tables: T is the struct, the key is the name of its member */
+#define TEXT(T, key)     CYAML_FIELD_STRING_PTR(#key, CYAML_FLAG_POINTER, T, key, 0, ANY_NUMBER)
+#define OPT_TEXT(T, key) CYAML_FIELD_STRING_PTR(#key, OPTIONAL_POINTER, T, key, 0, ANY_NUMBER)
+#define REAL(T, key)     CYAML_FIELD_FLOAT(#key, CYAML_FLAG_DEFAULT, T, key)
+#define ZERO(T, key)     CYAML_FIELD_FLOAT(#key, CYAML_FLAG_OPTIONAL, T, key)
+#define OPT_REAL(T, key) CYAML_FIELD_FLOAT_PTR(#key, OPTIONAL_POINTER, T, key)
+#define VEC3(T, key)     CYAML_FIELD_SEQUENCE_FIXED(#key, CYAML_FLAG_DEFAULT, T, key, &real, 3)
+#define OPT_VEC3(T, key) CYAML_FIELD_SEQUENCE_FIXED(#key, OPTIONAL_POINTER, T, key, &real, 3)
+#define LIST(T, key, entry, min, max)                                                              \
+  CYAML_FIELD_SEQUENCE(#key, OPTIONAL_POINTER, T, key, &entry, min, max)
+#define MANY(T, key, entry) LIST(T, key, entry, 0, ANY_NUMBER)
+
+#define OPTIONAL_POINTER (CYAML_FLAG_OPTIONAL | CYAML_FLAG_POINTER)
+#define ANY_NUMBER       CYAML_UNLIMITED
+
+static const cyaml_schema_value_t real = {CYAML_VALUE_FLOAT(CYAML_FLAG_DEFAULT, double)};
+static const cyaml_schema_value_t real_or_null = {
+    CYAML_VALUE_FLOAT(CYAML_FLAG_POINTER_NULL_STR, double)};
+static const cyaml_schema_value_t text_or_null = {
+    CYAML_VALUE_STRING(CYAML_FLAG_POINTER_NULL_STR, char, 0, ANY_NUMBER)};
+
+static const cyaml_schema_field_t joint_keys[] = {
+    TEXT(load_joint, type),
+    OPT_VEC3(load_joint, point),
+    OPT_VEC3(load_joint, axis),
+    OPT_VEC3(load_joint, axis2),
+    OPT_REAL(load_joint, position),
+    OPT_REAL(load_joint, velocity),
+    OPT_REAL(load_joint, guess),
+    OPT_TEXT(load_joint, motion),
+    LIST(load_joint, positions, real_or_null, 1, MAGGI_JOINT_DOF_MAX),
+    LIST(load_joint, velocities, real_or_null, 1, MAGGI_JOINT_DOF_MAX),
+    LIST(load_joint, guesses, real_or_null, 1, MAGGI_JOINT_DOF_MAX),
+    LIST(load_joint, motions, text_or_null, 1, MAGGI_JOINT_DOF_MAX),
+    CYAML_FIELD_END};
+
+static const cyaml_schema_field_t inertia_keys[] = {
+    ZERO(load_inertia, xx), ZERO(load_inertia, yy), ZERO(load_inertia, zz), ZERO(load_inertia, xy),
+    ZERO(load_inertia, xz), ZERO(load_inertia, yz), CYAML_FIELD_END};
+
+static const cyaml_schema_field_t bar_keys[] = {VEC3(load_bar, from), VEC3(load_bar, to),
+                                                CYAML_FIELD_END};
+
+static const cyaml_schema_field_t point_mass_keys[] = {
+    TEXT(load_point_mass, name), REAL(load_point_mass, mass), VEC3(load_point_mass, point),
+    CYAML_FIELD_END};
+static const cyaml_schema_value_t point_mass = {
+    CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, load_point_mass, point_mass_keys)};
+
+static const cyaml_schema_field_t body_keys[] = {
+    TEXT(load_body, name),
+    OPT_TEXT(load_body, parent),
+    CYAML_FIELD_MAPPING("joint", CYAML_FLAG_DEFAULT, load_body, joint, joint_keys),
+    ZERO(load_body, mass),
+    OPT_VEC3(load_body, cog),
+    CYAML_FIELD_MAPPING_PTR("inertia", OPTIONAL_POINTER, load_body, inertia, inertia_keys),
+    CYAML_FIELD_MAPPING_PTR("bar", OPTIONAL_POINTER, load_body, bar, bar_keys),
+    MANY(load_body, point_masses, point_mass),
+    CYAML_FIELD_END};
+static const cyaml_schema_value_t body = {
+    CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, load_body, body_keys)};
+
+static const cyaml_schema_field_t loop_keys[] = {
+    TEXT(load_loop, name),        TEXT(load_loop, type),        TEXT(load_loop, body_a),
+    TEXT(load_loop, body_b),      OPT_VEC3(load_loop, point),   OPT_VEC3(load_loop, point_a),
+    OPT_VEC3(load_loop, point_b), OPT_VEC3(load_loop, axis),    OPT_VEC3(load_loop, axis_a),
+    OPT_VEC3(load_loop, axis_b),  CYAML_FIELD_END};
+static const cyaml_schema_value_t loop = {
+    CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, load_loop, loop_keys)};
+
+static const cyaml_schema_field_t rod_keys[] = {
+    TEXT(load_rod, name),    TEXT(load_rod, body_a),  TEXT(load_rod, body_b),
+    VEC3(load_rod, point_a), VEC3(load_rod, point_b), ZERO(load_rod, mass),
+    OPT_REAL(load_rod, length), CYAML_FIELD_END};
+static const cyaml_schema_value_t rod = {
+    CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, load_rod, rod_keys)};
+
+static const cyaml_schema_field_t slopes_keys[] = {
+    REAL(load_slopes, c1), REAL(load_slopes, c2),  REAL(load_slopes, c3), REAL(load_slopes, c4),
+    REAL(load_slopes, v11), REAL(load_slopes, v22), CYAML_FIELD_END};
+
+static const cyaml_schema_field_t spring_keys[] = {
+    TEXT(load_spring, name),
+    TEXT(load_spring, body_a),
+    TEXT(load_spring, body_b),
+    VEC3(load_spring, point_a),
+    VEC3(load_spring, point_b),
+    ZERO(load_spring, stiffness),
+    OPT_REAL(load_spring, free_length),
+    OPT_REAL(load_spring, preload),
+    ZERO(load_spring, damping),
+    CYAML_FIELD_MAPPING_PTR("slopes", OPTIONAL_POINTER, load_spring, slopes, slopes_keys),
+    CYAML_FIELD_END};
+static const cyaml_schema_value_t spring = {
+    CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, load_spring, spring_keys)};
+
+static const cyaml_schema_field_t joint_spring_keys[] = {
+    TEXT(load_joint_spring, name),     TEXT(load_joint_spring, coordinate),
+    OPT_TEXT(load_joint_spring, coordinate2), ZERO(load_joint_spring, stiffness),
+    ZERO(load_joint_spring, damping),  ZERO(load_joint_spring, rest),
+    ZERO(load_joint_spring, preload),  CYAML_FIELD_END};
+static const cyaml_schema_value_t joint_spring = {
+    CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, load_joint_spring, joint_spring_keys)};
+
+static const cyaml_schema_field_t force_keys[] = {
+    TEXT(load_force, name),           TEXT(load_force, type),         OPT_TEXT(load_force, body),
+    OPT_TEXT(load_force, reaction),   OPT_TEXT(load_force, coordinate),
+    OPT_TEXT(load_force, function),   OPT_VEC3(load_force, point),    OPT_VEC3(load_force, value),
+    OPT_REAL(load_force, effort),     CYAML_FIELD_END};
+static const cyaml_schema_value_t force = {
+    CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, load_force, force_keys)};
+
+static const cyaml_schema_field_t function_keys[] = {
+    TEXT(load_function, name),
+    TEXT(load_function, type),
+    OPT_REAL(load_function, value),
+    OPT_REAL(load_function, amplitude),
+    OPT_REAL(load_function, omega),
+    OPT_REAL(load_function, phase),
+    OPT_REAL(load_function, offset),
+    OPT_REAL(load_function, t0),
+    OPT_REAL(load_function, t1),
+    OPT_REAL(load_function, y0),
+    OPT_REAL(load_function, y1),
+    LIST(load_function, coefficients, real, 1, ANY_NUMBER),
+    LIST(load_function, times, real, 1, ANY_NUMBER),
+    LIST(load_function, values, real, 1, ANY_NUMBER),
+    CYAML_FIELD_END};
+static const cyaml_schema_value_t function = {
+    CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, load_function, function_keys)};
+
+static const cyaml_schema_field_t sensor_keys[] = {
+    TEXT(load_sensor, name), TEXT(load_sensor, type), TEXT(load_sensor, body),
+    OPT_VEC3(load_sensor, point), CYAML_FIELD_END};
+static const cyaml_schema_value_t sensor = {
+    CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, load_sensor, sensor_keys)};
+
+static const cyaml_schema_field_t simulation_keys[] = {
+    ZERO(load_simulation, time), ZERO(load_simulation, step), CYAML_FIELD_END};
+
+static const cyaml_schema_field_t model_keys[] = {
+    TEXT(load_model, format), /* these two come first in a file too, see load_check.c */
+    CYAML_FIELD_INT("version", CYAML_FLAG_DEFAULT, load_model, version),
+    TEXT(load_model, name),
+    OPT_TEXT(load_model, source),
+    OPT_VEC3(load_model, gravity),
+    CYAML_FIELD_MAPPING_PTR("simulation", OPTIONAL_POINTER, load_model, simulation,
+                            simulation_keys),
+    MANY(load_model, bodies, body),
+    MANY(load_model, loops, loop),
+    MANY(load_model, rods, rod),
+    MANY(load_model, springs, spring),
+    MANY(load_model, joint_springs, joint_spring),
+    MANY(load_model, forces, force),
+    MANY(load_model, functions, function),
+    MANY(load_model, sensors, sensor),
+    CYAML_FIELD_END};
+
+const cyaml_schema_value_t maggi_load_schema = {
+    CYAML_VALUE_MAPPING(CYAML_FLAG_POINTER, load_model, model_keys)};

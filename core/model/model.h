@@ -1,0 +1,73 @@
+/* The immutable model: topology, parameter table, names. */
+#ifndef MAGGI_MODEL_H
+#define MAGGI_MODEL_H
+
+#include "arena.h"
+#include "maggi/maggi.h"
+#include "topo.h"
+
+/* what a parameter must be besides finite */
+typedef enum maggi_bound {
+  MAGGI_BOUND_NONE,
+  MAGGI_BOUND_NOT_NEGATIVE,
+  MAGGI_BOUND_POSITIVE,
+  MAGGI_BOUND_INITIAL_POSITION, /* none, but setting it prescribes the position of a coordinate */
+  MAGGI_BOUND_INITIAL_VELOCITY
+} maggi_bound;
+
+typedef struct maggi_parameter {
+  const char *path;
+  const char *unit;
+  double value;
+  maggi_bound bound;
+  int coordinate; /* internal, of initial positions and velocities */
+} maggi_parameter;
+
+typedef struct maggi_model_body {
+  const char *name;
+  int parent; /* -1: ground */
+  maggi_joint_type joint;
+  int body;       /* expanded body that carries it */
+  int coordinate; /* first coordinate in the order of the file */
+} maggi_model_body;
+
+typedef struct maggi_model_coordinate {
+  const char *name;
+  int q; /* internal number */
+  int is_angle;
+  int guided;
+} maggi_model_coordinate;
+
+typedef struct maggi_model_loop {
+  const char *name;
+  const char *kind;
+  int row, rows;
+} maggi_model_loop;
+
+struct maggi_model {
+  maggi_arena arena;
+  maggi_topo topo; /* without the plan */
+  const char *name;
+  const char *source;
+  maggi_simulation_def simulation;
+  int nparameter, capparameter;
+  maggi_parameter *parameter;
+  int *pathindex; /* parameters sorted by path */
+  int nbody;
+  maggi_model_body *body;
+  int ncoordinate;
+  maggi_model_coordinate *coordinate;
+  int nloop;
+  maggi_model_loop *loop;
+  int originadr;           /* joint point of the first body on the ground */
+  int *initial_position;   /* (nq) address in p, -1 for guided coordinates */
+  int *initial_velocity;   /* (nq) */
+  int *position_given;     /* (nq) maggi_initial */
+  int *velocity_given;     /* (nq) */
+  int *reach;              /* (nq) number of loops whose path holds the coordinate */
+  const char **sensorcolumn;
+  const char **sensorunit;
+};
+
+
+#endif

@@ -1,0 +1,56 @@
+/* The words of model files and the texts of the enumerations of maggi.h. */
+#include <string.h>
+
+#include "maggi/maggi.h"
+
+static const char *const joint_words[] = {"revolute", "prismatic", "cylindrical", "universal",
+                                          "planar",   "spherical", "free",        "fixed"};
+static const char *const loop_words[] = {"spherical", "revolute", "universal", "cylindrical",
+                                         "prismatic"};
+static const char *const force_words[] = {"force", "force_body", "torque", "torque_body", "joint"};
+static const char *const function_words[] = {"constant", "polynomial", "sine",
+                                             "step",     "knots",      "spline"};
+static const char *const sensor_words[] = {"position", "velocity", "acceleration", "angles"};
+static const int joint_dofs[] = {1, 1, 2, 2, 3, 3, 6, 0};
+
+static int find(const char *const words[], int n, const char *word)
+{
+  int i;
+
+  for (i = 0; word && i < n; ++i)
+    if (strcmp(words[i], word) == 0)
+      return i;
+  return -1;
+}
+
+#define WORDS(kind, count)                                                                         \
+  const char *maggi_##kind##_type_name(maggi_##kind##_type type)                                   \
+  {                                                                                                \
+    return (int)type >= 0 && (int)type < count ? kind##_words[type] : NULL;                        \
+  }                                                                                                \
+  int maggi_##kind##_type_find(const char *name)                                                   \
+  {                                                                                                \
+    return find(kind##_words, count, name);                                                        \
+  }
+
+WORDS(joint, MAGGI_JOINT_TYPE_COUNT)
+WORDS(loop, MAGGI_LOOP_TYPE_COUNT)
+WORDS(force, MAGGI_FORCE_TYPE_COUNT)
+WORDS(function, MAGGI_FUNCTION_TYPE_COUNT)
+WORDS(sensor, MAGGI_SENSOR_TYPE_COUNT)
+
+int maggi_joint_dof(maggi_joint_type type)
+{
+  return (int)type >= 0 && (int)type < MAGGI_JOINT_TYPE_COUNT ? joint_dofs[type] : -1;
+}
+
+const char *maggi_status_text(maggi_status status)
+{
+  static const char *const texts[] = {
+#define X(name, text) text,
+    MAGGI_STATUS_LIST(X)
+#undef X
+  };
+
+  return (int)status >= 0 && (int)status < MAGGI_STATUS_COUNT ? texts[status] : "unknown status";
+}

@@ -1,0 +1,561 @@
+"""Wrong model files: each has its one line of message, `FILE:LINE: ..`, status 1, and no output.
+
+Rows are small edits of GOOD, the text `old` replaced by `new`.  The line expected is the one that
+holds the row's `at`: the wrong text itself where the reader sees it, else the entry it belongs to.
+"""
+
+import dataclasses
+import re
+
+import pytest
+
+GOOD = """\
+format: maggi
+version: 1
+name: good
+gravity: [0, 0, -9.81]
+simulation:
+  time: 0.01
+  step: 0.001
+bodies:
+  - name: crank
+    joint:
+      type: revolute
+      point: [0, 0, 0]
+      axis: [1, 0, 0]
+      velocity: -1
+    mass: 1
+    bar:
+      from: [0, 0, 0]
+      to: [0, 0, -1]
+  - name: coupler
+    parent: crank
+    joint:
+      type: universal
+      point: [0, 0, -1]
+      axis: [1, 0, 0]
+      axis2: [0, 0, 1]
+    mass: 1.2
+    bar:
+      from: [0, 0, -1]
+      to: [0, 1.2, -1]
+  - name: follower
+    joint:
+      type: revolute
+      point: [0, 1.2, 0]
+      axis: [2, 0, 0]
+    mass: 1
+    bar:
+      from: [0, 1.2, 0]
+      to: [0, 1.2, -1]
+  - name: ball
+    joint:
+      type: spherical
+      point: [0, 3, 0]
+    mass: 2
+    cog: [0, 3, -0.5]
+    inertia:
+      xx: 0.1
+      yy: 0.1
+      zz: 0.02
+      xy: 0.001
+    point_masses:
+      - name: lead
+        mass: 0.5
+        point: [0, 3, -0.9]
+  - name: wheel
+    joint:
+      type: revolute
+      point: [0, 5, 0]
+      axis: [0, 1, 0]
+      motion: turn
+    mass: 3
+    cog: [0, 5, 0.1]
+    inertia:
+      xx: 0.3
+      yy: 0.4
+      zz: 0.3
+  - name: base
+    joint:
+      type: fixed
+    mass: 7
+loops:
+  - name: tip
+    type: spherical
+    body_a: coupler
+    body_b: follower
+    point: [0, 1.2, -1]
+rods:
+  - name: strut
+    body_a: ground
+    body_b: ball
+    point_a: [1, 3, -1]
+    point_b: [0, 3, -1]
+    mass: 0.25
+springs:
+  - name: coil
+    body_a: ground
+    body_b: crank
+    point_a: [0, -1, 0]
+    point_b: [0, 0, -0.5]
+    stiffness: 100
+    damping: 3
+joint_springs:
+  - name: twist
+    coordinate: crank
+    coordinate2: follower
+    stiffness: 5
+forces:
+  - name: push
+    type: force
+    body: ball
+    point: [0, 3, -1]
+    value: [1, 0, 0]
+    function: pulse
+functions:
+  - name: turn
+    type: sine
+    amplitude: 1
+    omega: 2
+  - name: pulse
+    type: knots
+    times: [0, 1, 2]
+    values: [0, 1, 0]
+  - name: road
+    type: spline
+    times: [0, 0.5, 1, 2]
+    values: [0, 0.1, 0, 0]
+sensors:
+  - name: end
+    type: position
+    body: crank
+    point: [0, 0, -1]
+"""
+
+
+@dataclasses.dataclass
+class Row:
+    what: str
+    old: str
+    new: str
+    at: str  # the first line that contains it; "" is line 1
+    message: str
+
+
+BODIES = GOOD[GOOD.index("bodies:") :]  # and what refers to them
+
+ROWS = [
+    # the file as YAML
+    Row("syntax: bracket", "[0, 0, -9.81]", "[0, 0, -9.81", "[0, 0, -9.81", ""),
+    Row("syntax: tab", "    mass: 3", "\tmass: 3", "\tmass: 3", "not YAML"),
+    Row("syntax: quote", "name: good", "name: 'good' four-bar", "name: 'good'", "not YAML"),
+    Row("empty file", GOOD, "", "", "empty"),
+    Row("a list", GOOD, "- format: maggi\n- version: 1\n", "", "must be a mapping"),
+    Row("a scalar", GOOD, "four-bar\n", "", "must be a mapping"),
+    Row("alias", "[0, 0, -9.81]", "*g", "*g", "alias"),
+    Row("two documents", "sensors:", "---\nformat: maggi\nsensors:", "---", "second document"),
+    # head
+    Row("format missing", "format: maggi\n", "", "version: 1", "format: maggi"),
+    Row("format wrong", "format: maggi", "format: adams", "format: adams", "adams"),
+    Row("version missing", "version: 1\n", "", "name: good", "version: 1"),
+    Row("version wrong", "version: 1", "version: 2", "version: 2", "version 1"),
+    Row("version not a number", "version: 1", "version: one", "version: one", "one"),
+    Row("name missing", "name: good\n", "", "", '"name" is missing'),
+    # keys and kinds of values
+    Row("unknown key", "gravity:", "gravitation:", "gravitation:", 'unknown key "gravitation"'),
+    Row("unknown key in a joint", "velocity: -1", "speed: -1", "speed: -1", 'unknown key "speed"'),
+    Row("key twice", "    mass: 3", "    mass: 3\n    mass: 4", "mass: 4", "twice"),
+    Row(
+        "body without name", "- name: ball\n    joint:", "- joint:", "- joint:", '"name" is missing'
+    ),
+    Row(
+        "body without joint",
+        "  - name: base\n    joint:\n      type: fixed\n",
+        "  - name: base\n",
+        "name: base",
+        '"joint" is missing',
+    ),
+    Row("text for a number", "mass: 1.2", "mass: heavy", "mass: heavy", "not a number"),
+    Row("number with a unit", "mass: 1.2", "mass: 1.2 kg", "mass: 1.2 kg", "not a number"),
+    Row("comma for point", "mass: 1.2", "mass: 1,2", "mass: 1,2", "not a number"),
+    Row("NaN", "mass: 1.2", "mass: .nan", ".nan", "not a number"),
+    Row("infinity", "mass: 1.2", "mass: .inf", ".inf", "not a number"),
+    Row("overflow", "mass: 1.2", "mass: 1e999", "1e999", "too large"),
+    Row("number missing", "mass: 1.2", "mass:", "mass:\n", "number"),
+    Row("vector too short", "[0, 0, -9.81]", "[0, -9.81]", "[0, -9.81]", "3"),
+    Row("vector too long", "[0, 0, -9.81]", "[0, 0, 0, -9.81]", "[0, 0, 0, -9.81]", "3"),
+    Row("number for a vector", "[0, 0, -9.81]", "-9.81", "-9.81", "list of 3"),
+    Row(
+        "list for a mapping",
+        "simulation:\n  time: 0.01\n  step: 0.001",
+        "simulation: [0.01, 0.001]",
+        "simulation:",
+        "mapping",
+    ),
+    Row("negative step", "step: 0.001", "step: -0.001", "step: -0.001", "step"),
+    # bodies
+    Row("no bodies", BODIES, "bodies: []\n", "bodies: []", "at least one body"),
+    Row(
+        "body twice",
+        "name: wheel",
+        "name: ball",
+        "name: ball\n    joint:\n      type: revolute",
+        "already",
+    ),
+    Row("body named ground", "name: wheel", "name: ground", "name: ground", "ground"),
+    Row("bad characters", "name: wheel", "name: front wheel", "front wheel", "front wheel"),
+    Row("unknown parent", "parent: crank", "parent: frame", "parent: frame", '"frame"'),
+    Row("own parent", "parent: crank", "parent: coupler", "name: coupler", "parents"),
+    Row(
+        "cycle of parents",
+        "  - name: crank\n",
+        "  - name: crank\n    parent: coupler\n",
+        "name: crank",
+        "parents",
+    ),
+    Row(
+        "unknown joint",
+        "type: spherical\n      point: [0, 3",
+        "type: ball\n      point: [0, 3",
+        "type: ball",
+        '"ball"',
+    ),
+    Row("zero axis", "axis: [2, 0, 0]", "axis: [0, 0, 0]", "axis: [0, 0, 0]", "axis"),
+    Row(
+        "axes of a universal parallel",
+        "axis2: [0, 0, 1]",
+        "axis2: [3, 0, 0]",
+        "axis: [1, 0, 0]\n      axis2",
+        "parallel",
+    ),
+    Row("negative mass", "mass: 1.2", "mass: -1.2", "mass: -1.2", "negative"),
+    Row("negative point mass", "mass: 0.5", "mass: -0.5", "- name: lead", "negative"),
+    Row("negative inertia", "zz: 0.02", "zz: -0.02", "inertia:", "inertia"),
+    Row("inertia of no body", "zz: 0.02", "zz: 0.5", "inertia:", "inertia"),
+    Row("inertia not definite", "xy: 0.001", "xy: 0.2", "inertia:", "inertia"),
+    Row(
+        "bar and inertia",
+        "    cog: [0, 3, -0.5]",
+        "    bar: {from: [0, 3, 0], to: [0, 3, -1]}",
+        "bar: {",
+        "inertia",
+    ),
+    Row(
+        "bar of no length",
+        "to: [0, 1.2, -1]\n  - name: follower",
+        "to: [0, 0, -1]\n  - name: follower",
+        "- name: coupler",
+        "length",
+    ),
+    Row(
+        "motion on a fixed joint",
+        "type: fixed",
+        "type: fixed\n      motion: turn",
+        "joint:\n      type: fixed",
+        "no coordinates",
+    ),
+    Row("unknown motion", "motion: turn", "motion: spin", "- name: wheel", '"spin"'),
+    Row(
+        "motion and velocity",
+        "motion: turn",
+        "motion: turn\n      velocity: 3",
+        "- name: wheel",
+        "guided",
+    ),
+    Row(
+        "velocity of a compound",
+        "axis2: [0, 0, 1]",
+        "axis2: [0, 0, 1]\n      velocity: 1",
+        "joint:\n      type: universal",
+        '"velocities" takes a list of 2',
+    ),
+    Row(
+        "too many velocities",
+        "axis2: [0, 0, 1]",
+        "axis2: [0, 0, 1]\n      velocities: [1, 2, 3]",
+        "joint:\n      type: universal",
+        '"velocities" has 3',
+    ),
+    # loops, rods, springs
+    Row("loop on unknown body", "body_b: follower", "body_b: rocker", "body_b: rocker", '"rocker"'),
+    Row(
+        "loop of a body with itself",
+        "body_b: follower",
+        "body_b: coupler",
+        "body_a: coupler",
+        "the same body",
+    ),
+    Row(
+        "unknown loop",
+        "type: spherical\n    body_a",
+        "type: welded\n    body_a",
+        "type: welded",
+        '"welded"',
+    ),
+    Row("loop without a point", "    point: [0, 1.2, -1]\n", "", "name: tip", "point"),
+    Row(
+        "loop without an axis",
+        "type: spherical\n    body_a",
+        "type: revolute\n    body_a",
+        "name: tip",
+        "axis",
+    ),
+    Row("rod of no length", "point_a: [1, 3, -1]", "point_a: [0, 3, -1]", "name: strut", "length"),
+    Row("rod of negative length", "mass: 0.25", "length: -1", "length: -1", "length"),
+    Row("rod on unknown body", "body_b: ball", "body_b: bell", "body_b: bell", '"bell"'),
+    Row(
+        "spring of no length",
+        "point_a: [0, -1, 0]",
+        "point_a: [0, 0, -0.5]",
+        "- name: coil",
+        "coincide",
+    ),
+    Row(
+        "free length and preload",
+        "damping: 3",
+        "free_length: 1\n    preload: 2",
+        "- name: coil",
+        "preload",
+    ),
+    # coordinates, loads, functions, sensors
+    Row(
+        "unknown coordinate",
+        "coordinate: crank",
+        "coordinate: rocker",
+        "coordinate: rocker",
+        '"rocker"',
+    ),
+    Row(
+        "coordinate out of range",
+        "coordinate: crank",
+        "coordinate: coupler.3",
+        "coupler.3",
+        '"coupler.3"',
+    ),
+    Row(
+        "coordinate of a compound",
+        "coordinate: crank",
+        "coordinate: ball",
+        "- name: twist",
+        '"ball"',
+    ),
+    Row(
+        "spring between one coordinate",
+        "coordinate2: follower",
+        "coordinate2: crank",
+        "- name: twist",
+        "the same",
+    ),
+    Row("unknown load", "type: force\n", "type: push\n", "type: push", '"push"'),
+    Row(
+        "load on unknown body",
+        "body: ball\n    point",
+        "body: bell\n    point",
+        "body: bell",
+        '"bell"',
+    ),
+    Row("unknown function", "function: pulse", "function: step", "function: step", '"step"'),
+    Row("unknown kind of function", "type: knots", "type: polygon", "type: polygon", '"polygon"'),
+    Row("function twice", "name: pulse", "name: turn", "name: turn\n    type: knots", "already"),
+    Row(
+        "times not increasing",
+        "times: [0, 1, 2]",
+        "times: [0, 1, 1]",
+        "times: [0, 1, 1]",
+        "increas",
+    ),
+    Row("times and values", "values: [0, 1, 0]", "values: [0, 1]", "values: [0, 1]", "3 times"),
+    Row(
+        "spline of one point",
+        "times: [0, 0.5, 1, 2]\n    values: [0, 0.1, 0, 0]",
+        "times: [0]\n    values: [0]",
+        "name: road",
+        "point",
+    ),
+    Row(
+        "step backwards",
+        "type: sine\n    amplitude: 1\n    omega: 2",
+        "type: step\n    t0: 1\n    t1: 0\n    y0: 0\n    y1: 1",
+        "t1: 0",
+        "t1 is not after t0",
+    ),
+    Row(
+        "key of another function",
+        "omega: 2",
+        "omega: 2\n    times: [0, 1]",
+        "- name: turn",
+        "times",
+    ),
+    Row("key of a function missing", "    omega: 2\n", "", "- name: turn", '"omega" is missing'),
+    Row("unknown sensor", "type: position", "type: jerk", "type: jerk", '"jerk"'),
+    Row(
+        "sensor on unknown body",
+        "body: crank\n    point",
+        "body: crunk\n    point",
+        "body: crunk",
+        '"crunk"',
+    ),
+]
+
+
+def line_of(text, at):
+    """Number of the line where `at` begins; the newlines at its end belong to it."""
+    return text[: text.index(at)].count("\n") + 1 if at else 1
+
+
+def check_failure(maggi, path, message, line=None, arguments=()):
+    out = maggi.folder / "out.csv"
+    result = maggi.run("simulate", path, "--out", out, *arguments)
+    assert result.returncode == 1, result
+    assert result.stdout == ""
+    assert result.stderr.count("\n") == 1 and result.stderr.endswith("\n"), result.stderr
+    where = f"{path}:{line}: " if line else f"{path}: "
+    assert re.fullmatch(r"(maggi: )?" + re.escape(where) + ".+\n", result.stderr), (
+        where,
+        result.stderr,
+    )
+    assert message in result.stderr, result.stderr
+    assert not out.exists()
+    return result.stderr
+
+
+def test_good(maggi):
+    (maggi.folder / "good.yaml").write_text(GOOD)
+    columns = maggi.simulate("good.yaml", 0.01, 1e-3)
+    assert len(columns["t"]) == 11
+
+
+@pytest.mark.parametrize("row", ROWS, ids=lambda row: row.what)
+def test_bad_model(maggi, row):
+    assert GOOD.count(row.old) >= 1, "the edit edits nothing"
+    text = GOOD.replace(row.old, row.new, 1)
+    (maggi.folder / "bad.yaml").write_text(text)
+    check_failure(maggi, "bad.yaml", row.message, line_of(text, row.at))
+
+
+def test_missing_file(maggi):
+    check_failure(maggi, "no-such.yaml", "No such file")
+
+
+def test_directory(maggi):
+    (maggi.folder / "folder.yaml").mkdir()
+    check_failure(maggi, "folder.yaml", "directory")
+
+
+def test_binary(maggi):
+    (maggi.folder / "bad.yaml").write_bytes(bytes(range(256)) * 16)
+    check_failure(maggi, "bad.yaml", "not YAML", 1)
+
+
+def test_zeros(maggi):
+    (maggi.folder / "bad.yaml").write_bytes(bytes(4096))
+    check_failure(maggi, "bad.yaml", "", 1)
+
+
+def test_deep_nesting(maggi):
+    (maggi.folder / "bad.yaml").write_text("[" * 100000)
+    check_failure(maggi, "bad.yaml", "", 1)
+
+
+# Models that read well and fail later: no line to point at, but a name.
+
+LINKAGE = """\
+format: maggi
+version: 1
+name: linkage
+gravity: [0, 0, 0]
+simulation:
+  time: 2
+  step: 0.001
+bodies:
+  - name: crank
+    joint: {{type: revolute, point: [0, 0, 0], axis: [1, 0, 0], {crank}}}
+    mass: 1
+    bar: {{from: [0, 0, 0], to: [0, 1, 0]}}
+  - name: coupler
+    parent: crank
+    joint: {{type: revolute, point: [0, 1, 0], axis: [1, 0, 0]}}
+    mass: 1
+    bar: {{from: [0, 1, 0], to: [0, 1.6, 0.8]}}
+  - name: follower
+    joint: {{type: revolute, point: [0, 2.2, 0], axis: [1, 0, 0], {follower}}}
+    mass: {mass}
+    bar: {{from: [0, 2.2, 0], to: [0, 1.6, 0.8]}}
+loops:
+  - name: tip
+    type: revolute
+    body_a: coupler
+    body_b: follower
+    point_a: [0, 1.6, 0.8]
+    point_b: {point_b}
+    axis: [1, 0, 0]
+functions:
+  - name: turn
+    type: polynomial
+    coefficients: [0, 1]
+"""
+TIP = "[0, 1.6, 0.8]"
+
+
+def linkage(crank="position: 0", follower="guess: 0", mass="1", point_b=TIP):
+    return LINKAGE.format(crank=crank, follower=follower, mass=mass, point_b=point_b)
+
+
+def fail_with(maggi, text, message, arguments=()):
+    (maggi.folder / "bad.yaml").write_text(text)
+    return check_failure(maggi, "bad.yaml", message, None, arguments)
+
+
+def test_linkage(maggi):
+    (maggi.folder / "good.yaml").write_text(linkage(crank="velocity: 0.1"))
+    maggi.simulate("good.yaml", 0.1, 1e-3)
+
+
+def test_contradictory_velocities(maggi):
+    text = linkage(crank="velocity: 1", follower="velocity: 7")
+    said = fail_with(maggi, text, "velocit")
+    assert "crank" in said or "follower" in said or "tip" in said
+
+
+def test_contradictory_positions(maggi):
+    said = fail_with(maggi, linkage(crank="position: 0.1", follower="position: 0.1"), "tip")
+    assert "close" in said
+
+
+def test_loop_cannot_close(maggi):
+    said = fail_with(maggi, linkage(point_b="[0, 9, 9]"), "tip")
+    assert "close" in said
+
+
+def test_lock_up(maggi):
+    """The crank's tip is 2 m from the follower's pivot at cos(t) = (1 + 2.2^2 - 4)/4.4."""
+    said = fail_with(maggi, linkage(crank="motion: turn"), "tip")
+    time = re.search(r"t = ([0-9.e+-]+)", said)
+    assert time, said
+    assert 1.13 < float(time.group(1)) < 1.141
+
+
+def test_massless_leaf(maggi):
+    text = linkage().replace(
+        "loops:\n",
+        "  - name: vane\n    parent: crank\n    joint: {type: revolute, point: [0, 1, 0], axis: [0, 1, 0]}\nloops:\n",
+    )
+    fail_with(maggi, text, "vane")
+
+
+def test_step_too_large(maggi):
+    """A stiff damper: each step of Runge-Kutta multiplies the velocity by some 1e30."""
+    text = linkage(crank="velocity: 1")
+    text = text[: text.index("  - name: coupler")]
+    text += "joint_springs:\n  - {name: stiff, coordinate: crank, damping: 1e9}\n"
+    said = fail_with(maggi, text, "finite", ["--step", "0.5", "--time", "1000"])
+    assert "t = " in said
+
+
+def test_step_too_large_for_a_loop(maggi):
+    text = linkage(crank="velocity: 1").replace(
+        "functions:\n",
+        "joint_springs:\n  - {name: stiff, coordinate: crank, damping: 1e9}\nfunctions:\n",
+    )
+    said = fail_with(maggi, text, "", ["--step", "0.5", "--time", "1000"])
+    assert "t = " in said and ("finite" in said or "tip" in said)

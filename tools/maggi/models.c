@@ -1,0 +1,342 @@
+/* Which models ship, where they are found, and the command that lists them.
+ *
+ * A model NAME is DIR/NAME.yaml or DIR/NAME/NAME.yaml, in the first of these DIR that has it:
+ * $MAGGI_MODELS, the models of the source tree, the installed models.
+ */
+#include "models.h"
+
+#include <ctype.h>
+#include <dirent.h>
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include "commands.h"
+#include "json.h"
+#include "message.h"
+#include "nearest.h"
+#include "options.h"
+
+#ifndef MAGGI_MODELS_DIR
+#define MAGGI_MODELS_DIR ""
+#endif
+#ifndef MAGGI_MODELS_INSTALL_DIR
+#define MAGGI_MODELS_INSTALL_DIR ""
+#endif
+
+#define GENERATED   "multiple-four-bar"
+#define NDIRECTORY  3
+#define MESSAGE_MAX 1024
+
+static const char *directory(int i)
+{
+  const char *named;
+
+  if (i == 0) {
+    named = getenv("MAGGI_MODELS");
+    return named ? named : "";
+  }
+  return i == 1 ? MAGGI_MODELS_DIR : MAGGI_MODELS_INSTALL_DIR;
+}
+
+static int is_file(const char *path)
+{
+  struct stat s;
+
+  return stat(path, &s) == 0 && S_ISREG(s.st_mode);
+}
+
+static int ends_with(const char *text, const char *end)
+{
+  size_t n = strlen(text), nend = strlen(end);
+
+  return n > nend && strcmp(text + n - nend, end) == 0;
+}
+
+/* File of the shipped model `name`: 1, or 0 if there is none. */
+static int find_shipped(const char *name, char path[MODELS_PATH_MAX])
+{
+  const char *dir;
+  int i, n;
+
+  for (i = 0; i < NDIRECTORY; ++i) {
+    dir = directory(i);
+    if (dir[0] == '\0') continue;
+    n = snprintf(path, MODELS_PATH_MAX, "%s/%s.yaml", dir, name);
+    if (n < MODELS_PATH_MAX && is_file(path)) return 1;
+    n = snprintf(path, MODELS_PATH_MAX, "%s/%s/%s.yaml", dir, name, name);
+    if (n < MODELS_PATH_MAX && is_file(path)) return 1;
+  }
+  path[0] = '\0';
+  return 0;
+}
+
+/* ------------------------------------------------------------------------------ the list */
+
+typedef struct names {
+  char **name;
+  size_t number;
+} names;
+
+static void names_free(names *list)
+{
+  size_t i;
+
+  for (i = 0; i < list->number; ++i) free(list->name[i]);
+  free(list->name);
+}
+
+/* Add the first n characters of text unless they are there: 0, or -1 without memory. */
+static int names_add(names *list, const char *text, size_t n)
+{
+  char **grown, *copy;
+  size_t i;
+
+  for (i = 0; i < list->number; ++i)
+    if (strlen(list->name[i]) == n && memcmp(list->name[i], text, n) == 0) return 0;
+  grown = realloc(list->name, (list->number + 1) * sizeof *grown);
+  if (!grown) return -1;
+  list->name = grown;
+  copy = malloc(n + 1);
+  if (!copy) return -1;
+  memcpy(copy, text, n);
+  copy[n] = '\0';
+  list->name[list->number++] = copy;
+  return 0;
+}
+
+static int names_scan(names *list, const char *dir)
+{
+  char path[MODELS_PATH_MAX];
+  const struct dirent *entry;
+  const char *file;
+  size_t n;
+  DIR *d;
+  int failed = 0;
+
+  d = opendir(dir);
+  if (!d) return 0;
+  while (!failed && (entry = readdir(d)) != NULL) {
+    file = entry->d_name;
+    if (file[0] == '.') continue;
+    n = ends_with(file, ".yaml") ? strlen(file) - strlen(".yaml") : strlen(file);
+    if (snprintf(path, sizeof path, file[n] ? "%s/%s" : "%s/%s/%s.yaml", dir, file, file) <
+            (int)sizeof path &&
+        is_file(path))
+      failed = names_add(list, file, n);
+  }
+  closedir(d);
+  return failed;
+}
+
+static int compare_names(const void *a, const void *b)
+{
+  return strcmp(*(char *const *)a, *(char *const *)b);
+}
+
+/* Names of all shipped models in alphabetical order: exit status. */
+static int list_shipped(names *list)
+{
+  const char *own = directory(0);
+  struct stat s;
+  int i;
+
+  list->name = NULL;
+  list->number = 0;
+  if (own[0] && stat(own, &s) != 0)
+    return message_fail(STATUS_FAILED, "MAGGI_MODELS: %s: %s", own, strerror(errno));
+  if (own[0] && !S_ISDIR(s.st_mode))
+    return message_fail(STATUS_FAILED, "MAGGI_MODELS: %s: %s", own, strerror(ENOTDIR));
+  for (i = 0; i < NDIRECTORY; ++i)
+    if (directory(i)[0] && names_scan(list, directory(i)))
+      return message_fail(STATUS_FAILED, "out of memory");
+  if (list->number > 0) qsort(list->name, list->number, sizeof *list->name, compare_names);
+  return STATUS_DONE;
+}
+
+/* ------------------------------------------------------------------------------ opening */
+
+static int unknown_model(const char *spec)
+{
+  names list;
+  nearest n;
+  size_t i;
+  int status;
+
+  if (strcmp(spec, GENERATED) == 0)
+    return message_fail(STATUS_FAILED, "%s: give its size, as in " GENERATED ":7x15", spec);
+  status = list_shipped(&list);
+  if (status == STATUS_DONE) {
+    nearest_init(&n, spec);
+    for (i = 0; i < list.number; ++i) nearest_offer(&n, list.name[i]);
+    status = message_fail(STATUS_FAILED, "no model \"%s\", neither a file nor a shipped one%s",
+                          spec, nearest_hint(&n));
+  }
+  names_free(&list);
+  return status;
+}
+
+/* multiple-four-bar:NYxNZ, size being "NYxNZ" */
+static int open_generated(const char *spec, const char *size, maggi_model **model)
+{
+  char number[32];
+  const char *x = strchr(size, 'x');
+  maggi_status status;
+  int ny, nz;
+
+  if (!x || (size_t)(x - size) >= sizeof number)
+    return message_fail(STATUS_USAGE, "%s: the size is not NYxNZ, as in 7x15", spec);
+  snprintf(number, sizeof number, "%.*s", (int)(x - size), size);
+  if (options_size(number, &ny) || options_size(x + 1, &nz))
+    return message_fail(STATUS_USAGE, "%s: the size is not NYxNZ, two numbers from 1 on", spec);
+  status = maggi_model_multiple_four_bar(ny, nz, model);
+  if (status == MAGGI_OK) return STATUS_DONE;
+  return message_fail(status == MAGGI_E_VALUE ? STATUS_USAGE : STATUS_FAILED, "%s: %s", spec,
+                      maggi_status_text(status));
+}
+
+/* Load with one line of text on failure. */
+static maggi_status load(const char *path, maggi_model **model, char text[MESSAGE_MAX])
+{
+  maggi_status status;
+
+  text[0] = '\0';
+  status = maggi_model_load(path, model, text, MESSAGE_MAX);
+  if (status != MAGGI_OK && text[0] == '\0')
+    snprintf(text, MESSAGE_MAX, "%.900s: %s", path, maggi_status_text(status));
+  return status;
+}
+
+static int open_file(const char *path, maggi_model **model)
+{
+  char text[MESSAGE_MAX];
+
+  if (load(path, model, text) == MAGGI_OK) return STATUS_DONE;
+  return message_fail(STATUS_FAILED, "%s", text);
+}
+
+int models_open(const char *spec, maggi_model **model, char path[MODELS_PATH_MAX])
+{
+  static const char prefix[] = GENERATED ":";
+
+  *model = NULL;
+  path[0] = '\0';
+  if (strncmp(spec, prefix, sizeof prefix - 1) == 0)
+    return open_generated(spec, spec + sizeof prefix - 1, model);
+  if (strlen(spec) >= MODELS_PATH_MAX)
+    return message_fail(STATUS_FAILED, "%s: %s", spec, strerror(ENAMETOOLONG));
+  if (!strchr(spec, '/') && !ends_with(spec, ".yaml") && !ends_with(spec, ".yml") &&
+      !find_shipped(spec, path) && !is_file(spec))
+    return unknown_model(spec);
+  if (path[0] == '\0') strcpy(path, spec);
+  return open_file(path, model);
+}
+
+/* ------------------------------------------------------------------------------ maggi models */
+
+/* Length of the first sentence: up to a full stop that a capital or the end follows, not that of
+ * an initial ("A. Callejo"). */
+static size_t first_sentence(const char *text)
+{
+  size_t i, next;
+
+  for (i = 0; text[i]; ++i) {
+    if (text[i] != '.' || (text[i + 1] && !isspace((unsigned char)text[i + 1]))) continue;
+    next = i + 1 + strspn(text + i + 1, " \t\r\n");
+    if (text[next] && !isupper((unsigned char)text[next])) continue;
+    if (i == 0 ||
+        (isupper((unsigned char)text[i - 1]) && (i == 1 || !isalnum((unsigned char)text[i - 2]))))
+      continue;
+    return i + 1;
+  }
+  return i;
+}
+
+/* First sentence of the source on one line; "" if there is none. */
+static void describe(const maggi_model *m, char *text, size_t n)
+{
+  maggi_model_info info;
+  size_t i, length, kept = 0;
+  char c;
+
+  maggi_model_get_info(m, &info);
+  length = first_sentence(info.source);
+  for (i = strspn(info.source, " \t\r\n"); i < length && kept + 1 < n; ++i) {
+    c = isspace((unsigned char)info.source[i]) ? ' ' : info.source[i];
+    if (c != ' ' || (kept > 0 && text[kept - 1] != ' ')) text[kept++] = c;
+  }
+  while (kept > 0 && text[kept - 1] == ' ') --kept;
+  text[kept] = '\0';
+}
+
+static void print_model(json *j, const char *name, const char *path, const char *description)
+{
+  if (!j) {
+    printf("%-26s  %s\n", name, description);
+    return;
+  }
+  json_open_object(j, NULL);
+  json_string(j, "name", name);
+  json_string(j, "description", description);
+  json_string(j, "path", path);
+  json_close_object(j);
+}
+
+/* All models are listed; the first that cannot be read is the failure. */
+static int print_models(json *j)
+{
+  char path[MODELS_PATH_MAX], text[MESSAGE_MAX], failure[MESSAGE_MAX];
+  maggi_model *m;
+  names list;
+  size_t i;
+  int status;
+
+  failure[0] = '\0';
+  status = list_shipped(&list);
+  for (i = 0; status == STATUS_DONE && i < list.number; ++i) {
+    if (!find_shipped(list.name[i], path)) continue;
+    if (load(path, &m, text) == MAGGI_OK) {
+      describe(m, text, sizeof text);
+      maggi_model_free(m);
+      print_model(j, list.name[i], path, text);
+    } else {
+      print_model(j, list.name[i], path, "(cannot be read)");
+      if (failure[0] == '\0') memcpy(failure, text, sizeof failure);
+    }
+  }
+  names_free(&list);
+  if (status != STATUS_DONE) return status;
+  print_model(j, GENERATED ":NYxNZ", NULL,
+              "NY four-bar linkages side by side in each of NZ rows, e.g. " GENERATED ":7x15.");
+  return failure[0] ? message_fail(STATUS_FAILED, "%s", failure) : STATUS_DONE;
+}
+
+int command_models(int argc, char **argv)
+{
+  static const option_def defs[] = {{"--json", OPTION_FLAG, NULL}, {NULL, OPTION_FLAG, NULL}};
+  options o;
+  json j;
+  int id, as_json = 0, status;
+
+  options_init(&o, defs, argc, argv);
+  while ((id = options_next(&o)) != OPTIONS_END) {
+    if (id == OPTIONS_HELP) {
+      fputs(help_text("models"), stdout);
+      return STATUS_DONE;
+    }
+    if (id == OPTIONS_WRONG) return STATUS_USAGE;
+    if (id == OPTIONS_ARGUMENT)
+      return message_fail(STATUS_USAGE, "models: unexpected argument \"%s\"", o.value);
+    as_json = 1;
+  }
+  if (!as_json) return print_models(NULL);
+  json_init(&j, stdout);
+  json_open_object(&j, NULL);
+  json_open_array(&j, "models");
+  status = print_models(&j);
+  json_close_array(&j);
+  json_close_object(&j);
+  return status;
+}

@@ -1,0 +1,224 @@
+/* maggi simulate: from the command line to a CSV and a summary. */
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <maggi/maggi.h>
+
+#include "commands.h"
+#include "message.h"
+#include "models.h"
+#include "options.h"
+#include "rows.h"
+#include "run.h"
+#include "settings.h"
+#include "summary.h"
+#include "table.h"
+
+#define TIME_DEFAULT 1.0  /* [s], when the model proposes nothing */
+#define STEP_DEFAULT 1e-3 /* [s] */
+
+typedef struct request {
+  const char *model;
+  double time;      /* 0: not given */
+  double step;      /* 0: not given */
+  double tolerance; /* 0: not given */
+  long every;       /* 0: not given */
+  const char *out;
+  const char *reactions;
+  int energy;
+  int json;
+  settings set;
+} request;
+
+enum { TIME, STEP, OUT, EVERY, ENERGY, REACTIONS, SET, TOLERANCE, JSON };
+
+static const option_def simulate_options[] = {
+    [TIME] = {"--time", OPTION_VALUE, "a time in seconds"},
+    [STEP] = {"--step", OPTION_VALUE, "a time in seconds"},
+    [OUT] = {"--out", OPTION_VALUE, "a file name, or - for standard output"},
+    [EVERY] = {"--every", OPTION_VALUE, "a number of steps"},
+    [ENERGY] = {"--energy", OPTION_FLAG, NULL},
+    [REACTIONS] = {"--reactions", OPTION_VALUE, "names of bodies, or all"},
+    [SET] = {"--set", OPTION_LIST, "PATH=VALUE"},
+    [TOLERANCE] = {"--tolerance", OPTION_VALUE, "a length in meters"},
+    [JSON] = {"--json", OPTION_FLAG, NULL},
+    {NULL, OPTION_FLAG, NULL}};
+
+/* One option or argument into the request: 0, or -1 after a message. */
+static int take(request *r, options *o, int id)
+{
+  switch (id) {
+  case OPTIONS_ARGUMENT:
+    return options_argument(o, "MODEL", &r->model);
+  case TIME:
+    return options_positive("--time", o->value, &r->time);
+  case STEP:
+    return options_positive("--step", o->value, &r->step);
+  case TOLERANCE:
+    return options_positive("--tolerance", o->value, &r->tolerance);
+  case EVERY:
+    return options_count("--every", o->value, 1, &r->every);
+  case OUT:
+    r->out = o->value;
+    if (r->out[0] != '\0') return 0;
+    message_fail(STATUS_USAGE, "--out: the file name is empty");
+    return -1;
+  case REACTIONS:
+    r->reactions = o->value;
+    return 0;
+  case SET:
+    return settings_add(&r->set, o->value);
+  case ENERGY:
+    r->energy = 1;
+    return 0;
+  case JSON:
+    r->json = 1;
+    return 0;
+  default: /* OPTIONS_WRONG */
+    return -1;
+  }
+}
+
+/* Time and step from the command line, else from the model, else the usual ones. */
+static int plan(run *r, const request *want, const maggi_model_info *info)
+{
+  const maggi_simulation_def *file = &info->simulation;
+
+  r->time = want->time > 0.0 ? want->time : file->time > 0.0 ? file->time : TIME_DEFAULT;
+  r->step = want->step > 0.0 ? want->step : file->step > 0.0 ? file->step : STEP_DEFAULT;
+  r->every = want->every > 0 ? want->every : 1;
+  if (r->step > r->time)
+    return message_fail(STATUS_USAGE, "--step: %.6g s is longer than the simulation, %.6g s",
+                        r->step, r->time);
+  if (run_plan(r))
+    return message_fail(STATUS_USAGE, "--step: %.6g s in steps of %.6g s is more than %ld steps",
+                        r->time, r->step, RUN_STEPS_MAX);
+  return STATUS_DONE;
+}
+
+/* What the user may not expect; standard error must stay JSON where the summary goes there. */
+static void note_surprises(const run *r, const request *want)
+{
+  int to_stdout = want->out && strcmp(want->out, "-") == 0;
+
+  if (!r->is_multiple && !(to_stdout && want->json))
+    message_note("%.6g s is not a multiple of the step of %.6g s: the last of %ld steps is %.6g s",
+                 r->time, r->step, r->steps, r->last_step);
+  if (!want->out && (want->reactions || want->every > 0))
+    message_note("%s has no effect without --out", want->reactions ? "--reactions" : "--every");
+}
+
+static int is_same_file(const char *a, const char *b)
+{
+  struct stat sa, sb;
+
+  return stat(a, &sa) == 0 && stat(b, &sb) == 0 && sa.st_dev == sb.st_dev && sa.st_ino == sb.st_ino;
+}
+
+static int fail_data(const request *want, const maggi_data *d, maggi_status status)
+{
+  const char *reason = maggi_data_message(d);
+
+  return message_fail(STATUS_FAILED, "%s: %s", want->model,
+                      reason[0] ? reason : maggi_status_text(status));
+}
+
+/* Simulate with the table open; leaves it closed. */
+static int simulate_rows(run *r, const request *want)
+{
+  maggi_status status;
+  int written;
+
+  status = maggi_data_reset(r->data);
+  if (status == MAGGI_OK) status = run_simulate(r);
+  if (status != MAGGI_OK) {
+    table_discard(&r->rows->table);
+    return fail_data(want, r->data, status);
+  }
+  if (r->interrupted && r->rows->table.error == EINTR) { /* the signal ended a write */
+    table_discard(&r->rows->table);
+    return STATUS_INTERRUPTED;
+  }
+  written = table_close(&r->rows->table);
+  if (written != STATUS_DONE) return written;
+  return r->interrupted ? STATUS_INTERRUPTED : STATUS_DONE;
+}
+
+static int simulate_data(run *r, const request *want, const char *model_path)
+{
+  int to_stdout = want->out && strcmp(want->out, "-") == 0;
+  FILE *summary = to_stdout ? stderr : stdout;
+  int status;
+
+  if (want->tolerance > 0.0 && maggi_data_set_tolerance(r->data, want->tolerance) != MAGGI_OK)
+    return message_fail(STATUS_USAGE, "--tolerance: %.6g is refused", want->tolerance);
+  status = settings_apply(&want->set, r->rows->model, r->data);
+  if (status != STATUS_DONE) return status;
+  if (want->out && is_same_file(want->out, model_path))
+    return message_fail(STATUS_FAILED, "%s: is the model file", want->out);
+  run_catch_signals(); /* before there is a file to leave behind */
+  if (want->out) {
+    status = table_open(&r->rows->table, want->out);
+    if (status != STATUS_DONE) return status;
+  }
+  r->each_energy = want->energy || want->json;
+  r->show_progress = !(to_stdout && isatty(STDOUT_FILENO));
+
+  status = simulate_rows(r, want);
+  if (status != STATUS_DONE && status != STATUS_INTERRUPTED) return status;
+  note_surprises(r, want);
+  (want->json ? summary_json : summary_text)(r, want->out, summary);
+  return status;
+}
+
+static int simulate_model(const request *want)
+{
+  char path[MODELS_PATH_MAX];
+  maggi_model *m = NULL;
+  run r;
+  rows w;
+  int status;
+
+  status = models_open(want->model, &m, path);
+  if (status != STATUS_DONE) return status;
+  memset(&r, 0, sizeof r);
+  r.rows = &w;
+  status = rows_init(&w, m, want->energy, want->reactions);
+  if (status == STATUS_DONE) status = plan(&r, want, &w.info);
+  if (status == STATUS_DONE && maggi_data_create(m, &r.data) != MAGGI_OK)
+    status = message_fail(STATUS_FAILED, "%s: out of memory", want->model);
+  if (status == STATUS_DONE) status = simulate_data(&r, want, path);
+  maggi_data_free(r.data);
+  rows_free(&w);
+  maggi_model_free(m);
+  return status;
+}
+
+int command_simulate(int argc, char **argv)
+{
+  request want;
+  options o;
+  int id, status = STATUS_DONE;
+
+  memset(&want, 0, sizeof want);
+  if (settings_init(&want.set, argc)) return STATUS_FAILED;
+  options_init(&o, simulate_options, argc, argv);
+  while ((id = options_next(&o)) != OPTIONS_END) {
+    if (id == OPTIONS_HELP) {
+      fputs(help_text("simulate"), stdout);
+      break;
+    }
+    if (take(&want, &o, id)) {
+      status = STATUS_USAGE;
+      break;
+    }
+  }
+  if (id == OPTIONS_END && !want.model)
+    status = message_fail(STATUS_USAGE, "simulate: no MODEL given");
+  if (id == OPTIONS_END && want.model) status = simulate_model(&want);
+  settings_free(&want.set);
+  return status;
+}
