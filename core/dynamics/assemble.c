@@ -170,14 +170,14 @@ static maggi_status check_constants(maggi_data *d)
 static maggi_status complete(maggi_data *d, double time)
 {
   maggi_status status;
-  int dep;
 
   d->time = time;
   d->work = 0.0;
   d->changes = d->projections = d->evaluations = 0;
   d->replan_below = 0.2;
+  d->is_ahead = 0;
   maggi_evaluate(d, time);
-  maggi_smallest_pivot(d, &d->pivot_ratio, &dep);
+  d->pivot_ratio = d->stage_ratio;
   status = maggi_check(d, time);
   d->ready = status == MAGGI_OK;
   return status;
@@ -257,23 +257,29 @@ static maggi_status fail_lockup(maggi_data *d, double time)
                          d->m->loop[loop].name);
 }
 
+/* close to a singular position the loops are kept closed to round-off */
+static const double singular_below = 0.05;
+
 /* Newton on the positions when the loops are open by more than the tolerance; the positions of `time`
  * are evaluated before and after. */
-maggi_status maggi_project(maggi_data *d, double time, double tolerance)
+maggi_status maggi_project(maggi_data *d, double time)
 {
-  double violation, before;
-  int i;
+  double violation, before, tolerance;
+  int i, dep;
 
   maggi_evaluate_positions(d, time);
   violation = maggi_violation(d);
   if (isnan(violation))
     return maggi_data_fail(d, MAGGI_E_NOT_FINITE,
                            "t = %.6g s: the positions are not finite; is the step too large?", time);
-  tolerance = fmax(tolerance, roundoff(d));
+  tolerance = fmax(d->pivot_ratio < singular_below ? 0.0 : d->tolerance, roundoff(d));
   for (i = 0; violation > tolerance; ++i) {
     if (i == PROJECTION_ITERATIONS)
       return fail_lockup(d, time);
     maggi_evaluate_factors(d);
+    maggi_smallest_pivot(d, &d->stage_ratio, &dep);
+    if (maggi_is_singular(d))
+      break;
     newton_step(d);
     ++d->projections;
     remember(d);

@@ -28,7 +28,7 @@ static double *numbers(size_t n)
   return a;
 }
 
-/* the sizes of the lists may be of the topology or of the data itself */
+/* the sizes named in the lists */
 static size_t size_of(const char *name, const maggi_topo *t)
 {
   if (strcmp(name, "nbody1") == 0)

@@ -72,10 +72,14 @@
   X(lambda, nrow, "multipliers")                                                                  \
   X(piv0, nq, "pivots of islands when the dependents were chosen")                                \
   X(piv1, nq, "the same of the choice before")                                                    \
-  X(q0, nq, "Runge-Kutta: state at the start of the step")                                        \
-  X(u0, nq, "")                                                                                   \
-  X(dqs, nq, "Runge-Kutta: sums of slopes")                                                       \
-  X(dus, nq, "")                                                                                  \
+  X(q0, nq, "Runge-Kutta: start of the step, positions")                                          \
+  X(v0, nq, "velocities")                                                                         \
+  X(a0, nq, "accelerations")                                                                      \
+  X(dqs, nq, "sums of velocities")                                                                \
+  X(dus, nq, "sums of accelerations of columns")                                                  \
+  X(qn, nq, "node from which the next step starts, positions")                                    \
+  X(vn, nq, "velocities")                                                                         \
+  X(an, nq, "accelerations")                                                                      \
   X(q1, nq, "Newton: position before a step")
 
 /* what the plan sizes */
@@ -92,17 +96,25 @@
 
 typedef struct maggi_planner maggi_planner;
 
+/* a point of the integration; its vectors are in the lists above */
+typedef struct maggi_node {
+  double time, work, power;
+} maggi_node;
+
 struct maggi_data {
   const maggi_model *m;
   maggi_topo t;
   maggi_planner *planner;
-  int nbody1, nq8;
   double origin[3];
   double tolerance;
   double time;
   double power[1]; /* of dampers, loads and drives */
   double work;
-  double pivot_ratio;
+  double pivot_ratio;  /* at the last step */
+  double stage_ratio;  /* at the last evaluation */
+  maggi_node start;    /* of the last Runge-Kutta step: q0, v0, a0 */
+  maggi_node node;     /* its end: qn, vn, an; later than the state of `time` if is_ahead */
+  int is_ahead;
   double replan_below; /* pivot ratio at which a better choice is looked for */
   int ready;           /* after a successful reset */
   int fresh;           /* results of this state computed */
@@ -141,13 +153,15 @@ void maggi_evaluate_positions(maggi_data *d, double time);
 void maggi_evaluate_factors(maggi_data *d);
 void maggi_evaluate_velocities(maggi_data *d);
 void maggi_evaluate(maggi_data *d, double time); /* all, from q and vcol */
+void maggi_evaluate_given(maggi_data *d, double time); /* what results need, from q, v and a */
+int maggi_is_singular(const maggi_data *d);      /* whether the last evaluation cannot be trusted */
 void maggi_results(maggi_data *d);               /* what is computed only on demand */
 double maggi_violation(const maggi_data *d);     /* largest |Phi|, NAN if one is */
 double maggi_smallest_pivot(const maggi_data *d, double *ratio, int *dep);
 int maggi_worst_loop(const maggi_data *d);
 
 /* assemble.c */
-maggi_status maggi_project(maggi_data *d, double time, double tolerance);
+maggi_status maggi_project(maggi_data *d, double time);
 maggi_status maggi_check(maggi_data *d, double time);
 
 #endif

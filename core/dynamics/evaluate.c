@@ -98,12 +98,43 @@ static void accelerate(maggi_data *d)
 
 void maggi_evaluate(maggi_data *d, double time)
 {
+  int dep;
+
   maggi_evaluate_positions(d, time);
   maggi_evaluate_factors(d);
+  maggi_smallest_pivot(d, &d->stage_ratio, &dep);
   maggi_evaluate_velocities(d);
   accelerate(d);
   ++d->evaluations;
   d->fresh = 0;
+}
+
+void maggi_evaluate_given(maggi_data *d, double time)
+{
+  const maggi_topo *t = &d->t;
+  int i, dep;
+
+  maggi_evaluate_positions(d, time);
+  maggi_evaluate_factors(d);
+  maggi_smallest_pivot(d, &d->stage_ratio, &dep);
+  for (i = 0; i < t->ncol; ++i) {
+    d->vcol[i] = d->v[t->colq[i]];
+    d->acol[i] = d->a[t->colq[i]];
+  }
+  maggi_velocities(t, d->p, ARRAY(d->b), d->v, d->Z, d->Z0);
+  maggi_point_velocities(t, 0, t->npointdyn, ARRAY(d->r), ARRAY(d->Z), d->rv);
+  maggi_element_forces(t, d->p, ARRAY(d->fun), d->spring0, d->q, d->v, ARRAY(d->A), ARRAY(d->Z),
+                       ARRAY(d->r), ARRAY(d->rv), d->Q, d->tau, d->power);
+  maggi_body_inertias(t, ARRAY(d->body0), ARRAY(d->A), ARRAY(d->x), d->I);
+  d->fresh = 0;
+}
+
+/* Where a loop loses rank its Jacobian cannot tell the dependent velocities: a loop that is open by
+ * rho displaces them by rho / sigma^2, sigma its smallest singular value, and rho is round-off at
+ * best.  Measured by pivots relative to those at the choice of the independent coordinates. */
+int maggi_is_singular(const maggi_data *d)
+{
+  return !(d->stage_ratio > 3e-4);
 }
 
 void maggi_results(maggi_data *d)

@@ -284,8 +284,8 @@ static maggi_status check_value(check *c, const yaml_event_t *event,
   if (is_list && event->type == YAML_SEQUENCE_START_EVENT) return check_list(c, line, schema);
   if (!is_mapping && !is_list && event->type == YAML_SCALAR_EVENT)
     return check_scalar(c, event, schema);
-  return maggi_load_fail(c->error, line + 1, "%s must be %s",
-                         *c->path ? c->path : "a model file", kind_of(schema));
+  return maggi_load_fail(c->error, line + 1, "%s must be %s", *c->path ? c->path : "a model file",
+                         kind_of(schema));
 }
 
 /* ------------------------------------------------------------------------------------- document */

@@ -66,23 +66,29 @@ static const cyaml_schema_field_t body_keys[] = {
 static const cyaml_schema_value_t body = {
     CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, load_body, body_keys)};
 
-static const cyaml_schema_field_t loop_keys[] = {
-    TEXT(load_loop, name),        TEXT(load_loop, type),        TEXT(load_loop, body_a),
-    TEXT(load_loop, body_b),      OPT_VEC3(load_loop, point),   OPT_VEC3(load_loop, point_a),
-    OPT_VEC3(load_loop, point_b), OPT_VEC3(load_loop, axis),    OPT_VEC3(load_loop, axis_a),
-    OPT_VEC3(load_loop, axis_b),  CYAML_FIELD_END};
+static const cyaml_schema_field_t loop_keys[] = {TEXT(load_loop, name),
+                                                 TEXT(load_loop, type),
+                                                 TEXT(load_loop, body_a),
+                                                 TEXT(load_loop, body_b),
+                                                 OPT_VEC3(load_loop, point),
+                                                 OPT_VEC3(load_loop, point_a),
+                                                 OPT_VEC3(load_loop, point_b),
+                                                 OPT_VEC3(load_loop, axis),
+                                                 OPT_VEC3(load_loop, axis_a),
+                                                 OPT_VEC3(load_loop, axis_b),
+                                                 CYAML_FIELD_END};
 static const cyaml_schema_value_t loop = {
     CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, load_loop, loop_keys)};
 
-static const cyaml_schema_field_t rod_keys[] = {
-    TEXT(load_rod, name),    TEXT(load_rod, body_a),  TEXT(load_rod, body_b),
-    VEC3(load_rod, point_a), VEC3(load_rod, point_b), ZERO(load_rod, mass),
-    OPT_REAL(load_rod, length), CYAML_FIELD_END};
+static const cyaml_schema_field_t rod_keys[] = {TEXT(load_rod, name),       TEXT(load_rod, body_a),
+                                                TEXT(load_rod, body_b),     VEC3(load_rod, point_a),
+                                                VEC3(load_rod, point_b),    ZERO(load_rod, mass),
+                                                OPT_REAL(load_rod, length), CYAML_FIELD_END};
 static const cyaml_schema_value_t rod = {
     CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, load_rod, rod_keys)};
 
 static const cyaml_schema_field_t slopes_keys[] = {
-    REAL(load_slopes, c1), REAL(load_slopes, c2),  REAL(load_slopes, c3), REAL(load_slopes, c4),
+    REAL(load_slopes, c1),  REAL(load_slopes, c2),  REAL(load_slopes, c3), REAL(load_slopes, c4),
     REAL(load_slopes, v11), REAL(load_slopes, v22), CYAML_FIELD_END};
 
 static const cyaml_schema_field_t spring_keys[] = {
@@ -100,18 +106,22 @@ static const cyaml_schema_field_t spring_keys[] = {
 static const cyaml_schema_value_t spring = {
     CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, load_spring, spring_keys)};
 
-static const cyaml_schema_field_t joint_spring_keys[] = {
-    TEXT(load_joint_spring, name),     TEXT(load_joint_spring, coordinate),
-    OPT_TEXT(load_joint_spring, coordinate2), ZERO(load_joint_spring, stiffness),
-    ZERO(load_joint_spring, damping),  ZERO(load_joint_spring, rest),
-    ZERO(load_joint_spring, preload),  CYAML_FIELD_END};
+static const cyaml_schema_field_t joint_spring_keys[] = {TEXT(load_joint_spring, name),
+                                                         TEXT(load_joint_spring, coordinate),
+                                                         OPT_TEXT(load_joint_spring, coordinate2),
+                                                         ZERO(load_joint_spring, stiffness),
+                                                         ZERO(load_joint_spring, damping),
+                                                         ZERO(load_joint_spring, rest),
+                                                         ZERO(load_joint_spring, preload),
+                                                         CYAML_FIELD_END};
 static const cyaml_schema_value_t joint_spring = {
     CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, load_joint_spring, joint_spring_keys)};
 
 static const cyaml_schema_field_t force_keys[] = {
-    TEXT(load_force, name),           TEXT(load_force, type),         OPT_TEXT(load_force, body),
-    OPT_TEXT(load_force, reaction),   OPT_TEXT(load_force, coordinate),
-    OPT_TEXT(load_force, function),   OPT_VEC3(load_force, point),    OPT_VEC3(load_force, value),
+    TEXT(load_force, name),           TEXT(load_force, type),
+    OPT_TEXT(load_force, body),       OPT_TEXT(load_force, reaction),
+    OPT_TEXT(load_force, coordinate), OPT_TEXT(load_force, function),
+    OPT_VEC3(load_force, point),      OPT_VEC3(load_force, value),
     OPT_REAL(load_force, effort),     CYAML_FIELD_END};
 static const cyaml_schema_value_t force = {
     CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, load_force, force_keys)};
@@ -135,9 +145,9 @@ static const cyaml_schema_field_t function_keys[] = {
 static const cyaml_schema_value_t function = {
     CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, load_function, function_keys)};
 
-static const cyaml_schema_field_t sensor_keys[] = {
-    TEXT(load_sensor, name), TEXT(load_sensor, type), TEXT(load_sensor, body),
-    OPT_VEC3(load_sensor, point), CYAML_FIELD_END};
+static const cyaml_schema_field_t sensor_keys[] = {TEXT(load_sensor, name), TEXT(load_sensor, type),
+                                                   TEXT(load_sensor, body),
+                                                   OPT_VEC3(load_sensor, point), CYAML_FIELD_END};
 static const cyaml_schema_value_t sensor = {
     CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, load_sensor, sensor_keys)};
 
