@@ -22,7 +22,7 @@ static void newton_step(maggi_data *d)
   for (i = 0; i < t->nrow; ++i)
     d->gam[i] = -d->res[i];
   maggi_island_vector(t, d->prim0, (void *)d->r, (void *)d->dir, (void *)d->b,
-                      d->phi, d->chol, d->gam, d->v1, d->y1, d->dq, d->work8);
+                      d->phi, d->chol, d->gam, d->v1, d->y1, d->x1, d->work8, d->dq);
 }
 
 static void move(maggi_data *d, double factor)

@@ -34,7 +34,11 @@ static size_t size_of(const char *name, const maggi_topo *t)
   if (strcmp(name, "nbody1") == 0)
     return (size_t)t->nbody + 1;
   if (strcmp(name, "nq8") == 0)
-    return (size_t)t->nq * MAGGI_SOLVE_WIDTH;
+    return (size_t)t->nq * MAGGI_WIDTH;
+  if (strcmp(name, "nq16") == 0)
+    return (size_t)t->nq * MAGGI_WIDTH * 2;
+  if (strcmp(name, "nrow8") == 0)
+    return (size_t)t->nrow * MAGGI_WIDTH;
 #define X(size, text)                                                                              \
   if (strcmp(name, #size) == 0)                                                                    \
     return (size_t)t->size;
@@ -125,6 +129,8 @@ maggi_status maggi_data_fit(maggi_data *d)
     d->R[t->colq[i] * t->stride + i] = 1.0;
   memset(d->ab, 0, (size_t)t->nq * sizeof(double));
   memset(d->dq, 0, (size_t)t->nq * sizeof(double));
+  memset(d->x1, 0, (size_t)t->nq * MAGGI_WIDTH * sizeof(double));
+  memset(d->y1, 0, (size_t)t->nrow * MAGGI_WIDTH * sizeof(double));
   return MAGGI_OK;
 }
 

@@ -67,7 +67,7 @@ static void accelerate(maggi_data *d)
     maggi_loop_gamma(t, d->prim0, ARRAY(d->r), ARRAY(d->dir), ARRAY(d->rv), ARRAY(d->r0a),
                      ARRAY(d->Z), ARRAY(d->Z0), d->gam);
     maggi_island_vector(t, d->prim0, ARRAY(d->r), ARRAY(d->dir), ARRAY(d->b), d->phi, d->chol,
-                        d->gam, d->v1, d->y1, d->ab, d->work8);
+                        d->gam, d->v1, d->y1, d->x1, d->work8, d->ab);
   }
   maggi_accelerations(t, ARRAY(d->b), ARRAY(d->Z0), d->ab, d->W, d->Zb);
   maggi_element_forces(t, d->p, ARRAY(d->fun), d->spring0, d->q, d->v, ARRAY(d->A), ARRAY(d->Z),
@@ -86,8 +86,8 @@ static void accelerate(maggi_data *d)
   maggi_reduced_force(t, ARRAY(d->b), ARRAY(d->FS), d->tau, d->R, d->f, d->fr);
   for (i = t->nind; i < t->ncol; ++i)
     d->acol[i] = d->fun[t->qguide[t->colq[i]]][2];
-  maggi_factor_mass(t, d->Mr, d->Lr, d->dinv);
-  maggi_solve_mass(t, d->Mr, d->fr, d->Lr, d->dinv, d->acol);
+  maggi_factor_mass(t, d->Mr, d->Ur, d->dinv);
+  maggi_solve_mass(t, d->Mr, d->fr, d->Ur, d->dinv, d->acol);
   maggi_expand(t, d->R, d->acol, d->ab, d->a);
   if (t->nguide > 0) {
     maggi_drives(t, d->Mr, d->fr, d->acol, d->drive);

@@ -164,7 +164,7 @@ static int number_columns(maggi_data *d)
     if (pass == 0)
       t->nind = t->ncol;
   }
-  t->stride = (t->ncol + 7) / 8 * 8;
+  t->stride = (t->ncol + MAGGI_WIDTH - 1) / MAGGI_WIDTH * MAGGI_WIDTH;
   return 1;
 }
 
@@ -481,8 +481,8 @@ static int list_mass(maggi_data *d)
     ci = pl->col.v[i];
     cj = pl->col.v[j];
     if (ci >= 0 && cj >= 0) {
-      ok = push(&pl->iipair, k) && push(&pl->iirow, ci > cj ? ci : cj) &&
-           push(&pl->iicol, ci > cj ? cj : ci);
+      ok = push(&pl->iipair, k) && push(&pl->iirow, ci > cj ? cj : ci) &&
+           push(&pl->iicol, ci > cj ? ci : cj);
       lower(&pl->first.v[ci > cj ? ci : cj], ci > cj ? cj : ci);
     } else if (ci >= 0 || cj >= 0) {
       q = ci >= 0 ? j : i;

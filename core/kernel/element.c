@@ -64,7 +64,7 @@ static void spring(int adr, int preload, int withslopes, int np, const double p[
   }
 }
 
-static void load(int kind, int np, const double p[np], int adr, double s, const double A[9],
+static void load_value(int kind, int np, const double p[np], int adr, double s, const double A[9],
                  double f[3])
 {
   int k;
@@ -165,7 +165,7 @@ void maggi_element_forces(const maggi_topo *t, const double p[t->np], const doub
     } else {
       a = t->forcebody[i];
       b = t->forcereaction[i];
-      load(t->forcekind[i], t->np, p, adr, s, A[a], g);
+      load_value(t->forcekind[i], t->np, p, adr, s, A[a], g);
       if (t->forcepoint[i] >= 0)
         power[0] += apply(1, g, r[t->forcepoint[i]], Z[a], Z[b], Q[a], Q[b]);
       else

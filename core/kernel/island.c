@@ -46,72 +46,100 @@ void maggi_island_factors(const maggi_topo *t, const double phi[t->nphi], double
 static void row_update(int dst, int src, int begin, int end, int stride, int q, const double b[6],
                        int nR, const double R[nR], int nV, double V[nV])
 {
-  int k, c;
+  int k, c, i, at, from;
 
-  for (k = 0; k < 6; ++k)
-    for (c = begin; c < end; ++c)
-      V[(dst * 6 + k) * stride + c] = V[(src * 6 + k) * stride + c] + b[k] * R[q * stride + c];
+  for (c = begin / MAGGI_WIDTH * MAGGI_WIDTH; c < end; c += MAGGI_WIDTH) {
+    for (k = 0; k < 6; ++k) {
+      at = (dst * 6 + k) * stride + c;
+      from = (src * 6 + k) * stride + c;
+#pragma omp simd
+      for (i = 0; i < MAGGI_WIDTH; ++i)
+        V[at + i] = V[from + i] + b[k] * R[q * stride + c + i];
+    }
+  }
 }
 
-/* Y = - rate of one building block for the columns of bodies a and b */
+/* components l, m, n of the rate of r_a - r_b (or of a - b when linear is 0) for one block:
+ *   Y = (s_l + w_m r_n - w_n r_m) of b less that of a */
+static void vector_rate(int linear, int row, int l, int m, int n, int a, int b, int k,
+                        const double ra[3], const double rb[3], int nV, const double V[nV], int nY,
+                        double Y[nY])
+{
+  int i, am, an, bm, bn;
+
+  am = a + (3 + m) * k;
+  an = a + (3 + n) * k;
+  bm = b + (3 + m) * k;
+  bn = b + (3 + n) * k;
+  if (linear) {
+#pragma omp simd
+    for (i = 0; i < MAGGI_WIDTH; ++i)
+      Y[row + i] = V[b + l * k + i] - V[a + l * k + i] + V[bm + i] * rb[n] - V[bn + i] * rb[m] -
+                   V[am + i] * ra[n] + V[an + i] * ra[m];
+  } else {
+#pragma omp simd
+    for (i = 0; i < MAGGI_WIDTH; ++i)
+      Y[row + i] = V[bm + i] * rb[n] - V[bn + i] * rb[m] - V[am + i] * ra[n] + V[an + i] * ra[m];
+  }
+}
+
+/* force direction f and moments ma, mb about P of a unit multiplier of an equation with one row */
+static void row_wrench(int kind, double length, const double ra[3], const double rb[3],
+                       const double da[3], const double db[3], double f[3], double ma[3],
+                       double mb[3])
+{
+  if (kind == MAGGI_PRIM_ANGLE) {
+    maggi_cross(da, db, ma);
+    maggi_cross(da, db, mb);
+    f[0] = 0.0;
+    f[1] = 0.0;
+    f[2] = 0.0;
+  } else if (kind == MAGGI_PRIM_PLANE) {
+    f[0] = db[0];
+    f[1] = db[1];
+    f[2] = db[2];
+    maggi_cross(ra, db, ma);
+    maggi_cross(ra, db, mb);
+  } else {
+    f[0] = (ra[0] - rb[0]) / length;
+    f[1] = (ra[1] - rb[1]) / length;
+    f[2] = (ra[2] - rb[2]) / length;
+    maggi_cross(ra, f, ma);
+    maggi_cross(rb, f, mb);
+  }
+}
+
+/* Y = - rate of one building block for the columns of rows va and vb */
 static void prim_rate(int kind, int row, int va, int vb, int begin, int end, int stride,
                       double length, const double ra[3], const double rb[3], const double da[3],
                       const double db[3], int nV, const double V[nV], int nY, double Y[nY])
 {
-  int c, i, j, k;
+  int c, i, a, b, k, y;
   double f[3], ma[3], mb[3];
 
-  i = va * 6 * stride;
-  j = vb * 6 * stride;
   k = stride;
-  if (kind == MAGGI_PRIM_POINT) {
-    for (c = begin; c < end; ++c)
-      Y[row * k + c] = V[j + c] + V[j + 4 * k + c] * rb[2] - V[j + 5 * k + c] * rb[1] -
-                       (V[i + c] + V[i + 4 * k + c] * ra[2] - V[i + 5 * k + c] * ra[1]);
-    for (c = begin; c < end; ++c)
-      Y[(row + 1) * k + c] = V[j + k + c] + V[j + 5 * k + c] * rb[0] - V[j + 3 * k + c] * rb[2] -
-                             (V[i + k + c] + V[i + 5 * k + c] * ra[0] - V[i + 3 * k + c] * ra[2]);
-    for (c = begin; c < end; ++c)
-      Y[(row + 2) * k + c] =
-          V[j + 2 * k + c] + V[j + 3 * k + c] * rb[1] - V[j + 4 * k + c] * rb[0] -
-          (V[i + 2 * k + c] + V[i + 3 * k + c] * ra[1] - V[i + 4 * k + c] * ra[0]);
-  } else if (kind == MAGGI_PRIM_AXIS) {
-    for (c = begin; c < end; ++c)
-      Y[row * k + c] = V[j + 4 * k + c] * db[2] - V[j + 5 * k + c] * db[1] -
-                       (V[i + 4 * k + c] * da[2] - V[i + 5 * k + c] * da[1]);
-    for (c = begin; c < end; ++c)
-      Y[(row + 1) * k + c] = V[j + 5 * k + c] * db[0] - V[j + 3 * k + c] * db[2] -
-                             (V[i + 5 * k + c] * da[0] - V[i + 3 * k + c] * da[2]);
-    for (c = begin; c < end; ++c)
-      Y[(row + 2) * k + c] = V[j + 3 * k + c] * db[1] - V[j + 4 * k + c] * db[0] -
-                             (V[i + 3 * k + c] * da[1] - V[i + 4 * k + c] * da[0]);
-  } else {
-    /* one row: force direction f and moments ma, mb about P of a unit multiplier */
-    if (kind == MAGGI_PRIM_ANGLE) {
-      maggi_cross(da, db, ma);
-      maggi_cross(da, db, mb);
-      f[0] = 0.0;
-      f[1] = 0.0;
-      f[2] = 0.0;
-    } else if (kind == MAGGI_PRIM_PLANE) {
-      f[0] = db[0];
-      f[1] = db[1];
-      f[2] = db[2];
-      maggi_cross(ra, db, ma);
-      maggi_cross(ra, db, mb);
+  if (kind != MAGGI_PRIM_POINT && kind != MAGGI_PRIM_AXIS)
+    row_wrench(kind, length, ra, rb, da, db, f, ma, mb);
+  for (c = begin / MAGGI_WIDTH * MAGGI_WIDTH; c < end; c += MAGGI_WIDTH) {
+    a = va * 6 * k + c;
+    b = vb * 6 * k + c;
+    y = row * k + c;
+    if (kind == MAGGI_PRIM_POINT) {
+      vector_rate(1, y, 0, 1, 2, a, b, k, ra, rb, nV, V, nY, Y);
+      vector_rate(1, y + k, 1, 2, 0, a, b, k, ra, rb, nV, V, nY, Y);
+      vector_rate(1, y + 2 * k, 2, 0, 1, a, b, k, ra, rb, nV, V, nY, Y);
+    } else if (kind == MAGGI_PRIM_AXIS) {
+      vector_rate(0, y, 0, 1, 2, a, b, k, da, db, nV, V, nY, Y);
+      vector_rate(0, y + k, 1, 2, 0, a, b, k, da, db, nV, V, nY, Y);
+      vector_rate(0, y + 2 * k, 2, 0, 1, a, b, k, da, db, nV, V, nY, Y);
     } else {
-      f[0] = (ra[0] - rb[0]) / length;
-      f[1] = (ra[1] - rb[1]) / length;
-      f[2] = (ra[2] - rb[2]) / length;
-      maggi_cross(ra, f, ma);
-      maggi_cross(rb, f, mb);
+#pragma omp simd
+      for (i = 0; i < MAGGI_WIDTH; ++i)
+        Y[y + i] = f[0] * (V[b + i] - V[a + i]) + f[1] * (V[b + k + i] - V[a + k + i]) +
+                   f[2] * (V[b + 2 * k + i] - V[a + 2 * k + i]) + mb[0] * V[b + 3 * k + i] -
+                   ma[0] * V[a + 3 * k + i] + mb[1] * V[b + 4 * k + i] -
+                   ma[1] * V[a + 4 * k + i] + mb[2] * V[b + 5 * k + i] - ma[2] * V[a + 5 * k + i];
     }
-    for (c = begin; c < end; ++c)
-      Y[row * k + c] =
-          f[0] * (V[j + c] - V[i + c]) + f[1] * (V[j + k + c] - V[i + k + c]) +
-          f[2] * (V[j + 2 * k + c] - V[i + 2 * k + c]) + mb[0] * V[j + 3 * k + c] -
-          ma[0] * V[i + 3 * k + c] + mb[1] * V[j + 4 * k + c] - ma[1] * V[i + 4 * k + c] +
-          mb[2] * V[j + 5 * k + c] - ma[2] * V[i + 5 * k + c];
   }
 }
 
@@ -120,7 +148,7 @@ void maggi_island_columns(const maggi_topo *t, const double prim0[t->nprim],
                           const double b[t->nbody][6], const double phi[t->nphi],
                           const double chol[t->nchol], double V[t->nvrow * 6 * t->stride],
                           double Y[t->nrow * t->stride], double R[t->nq * t->stride],
-                          double work[t->nq * MAGGI_SOLVE_WIDTH])
+                          double work[t->nq * MAGGI_WIDTH])
 {
   int k, i, j;
 
@@ -143,32 +171,36 @@ void maggi_island_columns(const maggi_topo *t, const double prim0[t->nprim],
   }
 }
 
-/* rows of rhs in the order of the loops; x is written for the dependent coordinates, zero elsewhere */
+/* one column with the right-hand side rhs, rows in the order of the loops; x is written for the
+ * dependent coordinates and zero elsewhere.  The column is the first of a block. */
 void maggi_island_vector(const maggi_topo *t, const double prim0[t->nprim],
                          const double r[t->npoint][3], const double dir[t->ndir][3],
                          const double b[t->nbody][6], const double phi[t->nphi],
                          const double chol[t->nchol], const double rhs[t->nrow],
-                         double v1[t->nvrow * 6], double y1[t->nrow], double x[t->nq],
-                         double work[t->nq * MAGGI_SOLVE_WIDTH])
+                         double v1[t->nvrow * 6 * MAGGI_WIDTH], double y1[t->nrow * MAGGI_WIDTH],
+                         double x1[t->nq * MAGGI_WIDTH], double work[t->nq * MAGGI_WIDTH],
+                         double x[t->nq])
 {
   int k, i, j, n, row;
 
   for (k = 0; k < t->nisland; ++k) {
     for (i = t->islvop[k]; i < t->islvop[k + 1]; ++i)
-      row_update(t->vopdst[i], t->vopsrc[i], 0, 1, 1, t->vopq[i], b[t->qbody[t->vopq[i]]], t->nq,
-                 x, t->nvrow * 6, v1);
+      row_update(t->vopdst[i], t->vopsrc[i], 0, 1, MAGGI_WIDTH, t->vopq[i],
+                 b[t->qbody[t->vopq[i]]], t->nq * MAGGI_WIDTH, x1, t->nvrow * 6 * MAGGI_WIDTH, v1);
     for (i = t->islprim[k]; i < t->islprim[k + 1]; ++i) {
       j = t->primorder[i];
-      prim_rate(t->primkind[j], t->primy[j], t->primva[j], t->primvb[j], 0, 1, 1, prim0[j],
-                r[t->primpa[j]], r[t->primpb[j]], dir[t->primda[j]], dir[t->primdb[j]],
-                t->nvrow * 6, v1, t->nrow, y1);
+      prim_rate(t->primkind[j], t->primy[j], t->primva[j], t->primvb[j], 0, 1, MAGGI_WIDTH,
+                prim0[j], r[t->primpa[j]], r[t->primpb[j]], dir[t->primda[j]], dir[t->primdb[j]],
+                t->nvrow * 6 * MAGGI_WIDTH, v1, t->nrow * MAGGI_WIDTH, y1);
       n = t->primkind[j] == MAGGI_PRIM_POINT || t->primkind[j] == MAGGI_PRIM_AXIS ? 3 : 1;
       for (row = 0; row < n; ++row)
-        y1[t->primy[j] + row] += rhs[t->primrow[j] + row];
+        y1[(t->primy[j] + row) * MAGGI_WIDTH] += rhs[t->primrow[j] + row];
     }
     maggi_solve_island(t->islrow[k + 1] - t->islrow[k], t->isldep[k + 1] - t->isldep[k],
-                       t->islphi[k], phi, t->islchol[k], chol, t->islrow[k], y1, 1, 0, 1,
-                       t->isldep[k], t->dep, x, work);
+                       t->islphi[k], phi, t->islchol[k], chol, t->islrow[k], y1, MAGGI_WIDTH, 0, 1,
+                       t->isldep[k], t->dep, x1, work);
+    for (i = t->isldep[k]; i < t->isldep[k + 1]; ++i)
+      x[t->dep[i]] = x1[t->dep[i] * MAGGI_WIDTH];
   }
 }
 
@@ -176,17 +208,16 @@ void maggi_island_vector(const maggi_topo *t, const double prim0[t->nprim],
 void maggi_expand(const maggi_topo *t, const double R[t->nq * t->stride],
                   const double vcol[t->ncol], const double x0[t->nq], double v[t->nq])
 {
-  int i, c;
+  int i, k, c;
   double s;
 
-  for (i = 0; i < t->nq; ++i) {
-    if (t->col[i] >= 0) {
-      v[i] = vcol[t->col[i]];
-    } else {
-      s = x0[i];
-      for (c = t->rbeg[i]; c < t->rend[i]; ++c)
-        s += R[i * t->stride + c] * vcol[c];
-      v[i] = s;
-    }
+  for (c = 0; c < t->ncol; ++c)
+    v[t->colq[c]] = vcol[c];
+  for (i = 0; i < t->ndep; ++i) {
+    k = t->dep[i];
+    s = x0[k];
+    for (c = t->rbeg[k]; c < t->rend[k]; ++c)
+      s += R[k * t->stride + c] * vcol[c];
+    v[k] = s;
   }
 }

@@ -3,7 +3,8 @@
  *   M_ij = b_i^T IS_j b_j          i = j or i an ancestor of j
  *   rods add  m/6 (J_a^T J_b + J_b^T J_a),  J = velocity of an end by coordinates
  *   M^   = R^T M R                 in three parts, with D the dependent rows of R and U its rest:
- *        = M_uu + D^T Z + Z^T D,   Z = M_du + (upper half of M_dd with half its diagonal) D
+ *        = M_uu + D^T Z + Z^T D,   Z = M_du + (one half of M_dd with half its diagonal) D
+ * of which the upper half is computed.
  */
 #include "kernel.h"
 
@@ -40,44 +41,56 @@ void maggi_mass_matrix(const maggi_topo *t, const double p[t->np], const double 
   }
 }
 
-static void row_axpy(int dst, int src, int begin, int end, double f, int n, const double R[n],
-                     double Z[n])
+/* dst[begin..end] += f src[begin..end] */
+static void row_axpy(int dst, int src, int begin, int end, double f, int nR, const double R[nR],
+                     int nZ, double Z[nZ])
 {
-  int c;
+  int c, i;
 
-  for (c = begin; c < end; ++c)
-    Z[dst + c] += f * R[src + c];
+  for (c = begin / MAGGI_WIDTH * MAGGI_WIDTH; c < end; c += MAGGI_WIDTH) {
+#pragma omp simd
+    for (i = 0; i < MAGGI_WIDTH; ++i)
+      Z[dst + c + i] += f * R[src + c + i];
+  }
 }
 
-/* lower half of D^T Z + Z^T D for one dependent coordinate; its row of D is a part of that of Z */
+/* upper half of D^T Z + Z^T D for one dependent coordinate; its range of D is a part of that of Z */
 static void outer_add(int row, int rbeg, int rend, int zbeg, int zend, int stride, int n,
                       const double R[n], const double Z[n], int nM, double M[nM])
 {
-  int c, k;
+  int c;
 
-  for (c = rbeg; c < rend; ++c)
-    for (k = zbeg; k <= c; ++k)
-      M[c * stride + k] += R[row + c] * Z[row + k];
-  for (c = rbeg; c < rend; ++c)
-    for (k = rbeg; k <= c; ++k)
-      M[c * stride + k] += Z[row + c] * R[row + k];
-  for (c = rend; c < zend; ++c)
-    for (k = rbeg; k < rend; ++k)
-      M[c * stride + k] += Z[row + c] * R[row + k];
+  for (c = zbeg; c < rbeg; ++c)
+    row_axpy(c * stride, row, rbeg, rend, Z[row + c], n, R, nM, M);
+  for (c = rbeg; c < rend; ++c) {
+    row_axpy(c * stride, row, c, zend, R[row + c], n, Z, nM, M);
+    row_axpy(c * stride, row, c, rend, Z[row + c], n, R, nM, M);
+  }
+}
+
+static void row_zero(int row, int begin, int end, int n, double M[n])
+{
+  int c, i;
+
+  for (c = begin / MAGGI_WIDTH * MAGGI_WIDTH; c < end; c += MAGGI_WIDTH) {
+#pragma omp simd
+    for (i = 0; i < MAGGI_WIDTH; ++i)
+      M[row + c + i] = 0.0;
+  }
 }
 
 void maggi_reduced_mass(const maggi_topo *t, const double M[t->npair],
                         const double R[t->nq * t->stride], double MR[t->nq * t->stride],
                         double Mr[t->ncol * t->stride])
 {
-  int i, c, k, dst, src;
+  int i, k, dst, src, nR, nM;
 
+  nR = t->nq * t->stride;
+  nM = t->ncol * t->stride;
   for (i = 0; i < t->ncol; ++i)
-    for (c = t->first[i]; c <= i; ++c)
-      Mr[i * t->stride + c] = 0.0;
+    row_zero(i * t->stride, i, t->ncol, nM, Mr);
   for (i = 0; i < t->ndep; ++i)
-    for (c = t->zbeg[t->dep[i]]; c < t->zend[t->dep[i]]; ++c)
-      MR[t->dep[i] * t->stride + c] = 0.0;
+    row_zero(t->dep[i] * t->stride, t->zbeg[t->dep[i]], t->zend[t->dep[i]], nR, MR);
   for (i = 0; i < t->nii; ++i)
     Mr[t->iirow[i] * t->stride + t->iicol[i]] += M[t->iipair[i]];
   for (i = 0; i < t->nid; ++i)
@@ -87,12 +100,12 @@ void maggi_reduced_mass(const maggi_topo *t, const double M[t->npair],
     dst = t->dddst[i];
     src = t->ddsrc[i];
     row_axpy(dst * t->stride, src * t->stride, t->rbeg[src], t->rend[src],
-             dst == src ? 0.5 * M[k] : M[k], t->nq * t->stride, R, MR);
+             dst == src ? 0.5 * M[k] : M[k], nR, R, nR, MR);
   }
   for (i = 0; i < t->ndep; ++i) {
     k = t->dep[i];
-    outer_add(k * t->stride, t->rbeg[k], t->rend[k], t->zbeg[k], t->zend[k], t->stride,
-              t->nq * t->stride, R, MR, t->ncol * t->stride, Mr);
+    outer_add(k * t->stride, t->rbeg[k], t->rend[k], t->zbeg[k], t->zend[k], t->stride, nR, R, MR,
+              nM, Mr);
   }
 }
 
@@ -125,11 +138,10 @@ void maggi_drives(const maggi_topo *t, const double Mr[t->ncol * t->stride],
     drive[i] = 0.0;
   for (i = t->nind; i < t->ncol; ++i) {
     s = -fr[i];
-    for (k = t->first[i]; k <= i; ++k)
+    for (k = 0; k < i; ++k)
+      s += Mr[k * t->stride + i] * acol[k];
+    for (k = i; k < t->ncol; ++k)
       s += Mr[i * t->stride + k] * acol[k];
-    for (k = i + 1; k < t->ncol; ++k)
-      if (t->first[k] <= i)
-        s += Mr[k * t->stride + i] * acol[k];
     drive[i] = s;
   }
 }

@@ -7,7 +7,7 @@
 #include "kernel.h"
 
 /* L L^T y = y in place, one island */
-static void substitute(int n, int adr, int nchol, const double chol[nchol], int depadr,
+static void solve_factor(int n, int adr, int nchol, const double chol[nchol], int depadr,
                        const int dep[], int nq, double y[nq])
 {
   int i, j;
@@ -46,7 +46,7 @@ void maggi_loop_multipliers(const maggi_topo *t, const double prim0[t->nprim],
     wd[i] = w[i];
   for (k = t->nisland - 1; k >= 0; --k) {
     n = t->isldep[k + 1] - t->isldep[k];
-    substitute(n, t->islchol[k], t->nchol, chol, t->isldep[k], t->dep, t->nq, wd);
+    solve_factor(n, t->islchol[k], t->nchol, chol, t->isldep[k], t->dep, t->nq, wd);
     for (i = t->islprim[k]; i < t->islprim[k + 1]; ++i) {
       j = t->primorder[i];
       for (row = 0; row < prim_rows(t->primkind[j]); ++row) {
@@ -56,6 +56,9 @@ void maggi_loop_multipliers(const maggi_topo *t, const double prim0[t->nprim],
                wd[t->dep[t->isldep[k] + c]];
         lambda[t->primrow[j] + row] = s;
       }
+    }
+    for (i = t->islprim[k]; i < t->islprim[k + 1]; ++i) {
+      j = t->primorder[i];
       l = t->primloop[j];
       for (c = t->pathadr[l]; c < t->pathadr[l + 1]; ++c) {
         maggi_prim_entry(t->primkind[j], t->pathside[c], prim0[j], b[t->qbody[t->pathq[c]]],

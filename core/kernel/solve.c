@@ -25,98 +25,126 @@ void maggi_cholesky_island(int n, int adr, double chol[])
   }
 }
 
-enum { CHUNK = MAGGI_SOLVE_WIDTH };
+/* one block of columns */
+typedef double block[MAGGI_WIDTH];
 
-/* row i of a set of rows: at[i], or i itself when at is NULL */
-static inline int row_of(const int *at, int i)
+static inline void load(const double *from, block x)
 {
-  return at ? at[i] : i;
+  int c;
+
+#pragma omp simd
+  for (c = 0; c < MAGGI_WIDTH; ++c)
+    x[c] = from[c];
 }
 
-/* X = A^-1 X, L L^T = A, on `width` columns of the rows `at` of X */
-static inline void substitute(int n, int width, const double *L, const int *at, int stride,
-                              double *X)
+static inline void axpy(double f, const block x, block y)
 {
-  int i, j, c;
-  double f;
-  double *x;
+  int c;
+
+#pragma omp simd
+  for (c = 0; c < MAGGI_WIDTH; ++c)
+    y[c] += f * x[c];
+}
+
+static inline void scale(double f, block x)
+{
+  int c;
+
+#pragma omp simd
+  for (c = 0; c < MAGGI_WIDTH; ++c)
+    x[c] *= f;
+}
+
+/* T = A^-1 T, L L^T = A */
+static inline void substitute(int n, const double *L, block T[])
+{
+  int i, j;
 
   for (i = 0; i < n; ++i) {
-    x = X + row_of(at, i) * stride;
-    for (j = 0; j < i; ++j) {
-      f = L[i * n + j];
-      for (c = 0; c < width; ++c)
-        x[c] -= f * X[row_of(at, j) * stride + c];
-    }
-    f = 1.0 / L[i * n + i];
-    for (c = 0; c < width; ++c)
-      x[c] *= f;
+    for (j = 0; j < i; ++j)
+      axpy(-L[i * n + j], T[j], T[i]);
+    scale(1.0 / L[i * n + i], T[i]);
   }
   for (i = n - 1; i >= 0; --i) {
-    x = X + row_of(at, i) * stride;
-    for (j = i + 1; j < n; ++j) {
-      f = L[j * n + i];
-      for (c = 0; c < width; ++c)
-        x[c] -= f * X[row_of(at, j) * stride + c];
-    }
-    f = 1.0 / L[i * n + i];
-    for (c = 0; c < width; ++c)
-      x[c] *= f;
+    for (j = i + 1; j < n; ++j)
+      axpy(-L[j * n + i], T[j], T[i]);
+    scale(1.0 / L[i * n + i], T[i]);
   }
 }
 
-/* T = Phi^T (Y - Phi X), or Phi^T Y when X is NULL; rows `at` of X, rows `tat` of T */
-static inline void project(int m, int n, int width, const double *phi, const double *Y, int stride,
-                           const int *at, const double *X, const int *tat, int tstride, double *T)
+/* X = (Phi^T Phi)^-1 Phi^T Y with one step of iterative refinement, one block; X and T have n rows */
+static inline void least_squares(int m, int n, const double *phi, const double *L, const double *Y,
+                                 int stride, block X[], block T[])
 {
-  int i, k, c;
-  double e[CHUNK];
+  int i, k;
+  block e;
 
   for (i = 0; i < n; ++i)
-    for (c = 0; c < width; ++c)
-      T[row_of(tat, i) * tstride + c] = 0.0;
+    for (k = 0; k < MAGGI_WIDTH; ++k)
+      X[i][k] = 0.0;
   for (k = 0; k < m; ++k) {
-    for (c = 0; c < width; ++c)
-      e[c] = Y[k * stride + c];
-    if (X)
-      for (i = 0; i < n; ++i)
-        for (c = 0; c < width; ++c)
-          e[c] -= phi[k * n + i] * X[row_of(at, i) * stride + c];
+    load(Y + k * stride, e);
     for (i = 0; i < n; ++i)
-      for (c = 0; c < width; ++c)
-        T[row_of(tat, i) * tstride + c] += phi[k * n + i] * e[c];
+      axpy(phi[k * n + i], e, X[i]);
   }
-}
-
-/* X = (Phi^T Phi)^-1 Phi^T Y with one step of iterative refinement */
-static inline void solve_chunk(int m, int n, int width, const double *phi, const double *L,
-                               const double *Y, int stride, const int *at, double *X, double *work)
-{
-  int i, c;
-
-  project(m, n, width, phi, Y, stride, NULL, NULL, at, stride, X);
-  substitute(n, width, L, at, stride, X);
-  project(m, n, width, phi, Y, stride, at, X, NULL, CHUNK, work);
-  substitute(n, width, L, NULL, CHUNK, work);
+  substitute(n, L, X);
   for (i = 0; i < n; ++i)
-    for (c = 0; c < width; ++c)
-      X[at[i] * stride + c] += work[i * CHUNK + c];
+    for (k = 0; k < MAGGI_WIDTH; ++k)
+      T[i][k] = 0.0;
+  for (k = 0; k < m; ++k) {
+    load(Y + k * stride, e);
+    for (i = 0; i < n; ++i)
+      axpy(-phi[k * n + i], X[i], e);
+    for (i = 0; i < n; ++i)
+      axpy(phi[k * n + i], e, T[i]);
+  }
+  substitute(n, L, T);
+  for (i = 0; i < n; ++i)
+    axpy(1.0, T[i], X[i]);
 }
+
+/* small islands with their blocks in registers */
+#define SMALL(rows, n)                                                                             \
+  static void least_squares_##rows##_##n(const double *phi, const double *L, const double *Y,      \
+                                         int stride, block X[])                                    \
+  {                                                                                                \
+    block x[n], t[n];                                                                              \
+    int i;                                                                                         \
+                                                                                                   \
+    least_squares(rows, n, phi, L, Y, stride, x, t);                                               \
+    for (i = 0; i < n; ++i)                                                                        \
+      load(x[i], X[i]);                                                                            \
+  }
+SMALL(1, 1)
+SMALL(3, 2)
+SMALL(3, 3)
+SMALL(6, 2)
 
 /* Columns begin..end of the rows dep[depadr..] of X; Y has m rows from yrow on; rows are `stride`
- * long; work holds n rows of MAGGI_SOLVE_WIDTH numbers. */
+ * long and begin on a block; work holds 2 n blocks. */
 void maggi_solve_island(int m, int n, int phiadr, const double phi[], int choladr,
                         const double chol[], int yrow, const double Y[], int stride, int begin,
                         int end, int depadr, const int dep[], double X[], double work[])
 {
-  int c;
+  const double *P = phi + phiadr, *L = chol + choladr, *y;
+  block *x = (block *)work, *spare = x + n;
+  int i, c;
 
-  for (c = begin; c + CHUNK <= end; c += CHUNK)
-    solve_chunk(m, n, CHUNK, phi + phiadr, chol + choladr, Y + yrow * stride + c, stride,
-                dep + depadr, X + c, work);
-  if (c < end)
-    solve_chunk(m, n, end - c, phi + phiadr, chol + choladr, Y + yrow * stride + c, stride,
-                dep + depadr, X + c, work);
+  for (c = begin / MAGGI_WIDTH * MAGGI_WIDTH; c < end; c += MAGGI_WIDTH) {
+    y = Y + yrow * stride + c;
+    if (m == 6 && n == 2)
+      least_squares_6_2(P, L, y, stride, x);
+    else if (m == 3 && n == 3)
+      least_squares_3_3(P, L, y, stride, x);
+    else if (m == 1 && n == 1)
+      least_squares_1_1(P, L, y, stride, x);
+    else if (m == 3 && n == 2)
+      least_squares_3_2(P, L, y, stride, x);
+    else
+      least_squares(m, n, P, L, y, stride, x, spare);
+    for (i = 0; i < n; ++i)
+      load(x[i], X + dep[depadr + i] * stride + c);
+  }
 }
 
 static inline double dot_rows(int begin, int end, const double *a, const double *b)
@@ -130,43 +158,54 @@ static inline double dot_rows(int begin, int end, const double *a, const double 
   return s;
 }
 
-/* Factor of the reduced mass matrix, rows from their first nonzero on: the columns are numbered from
- * the leaves to the root, so the factor keeps these zeros.  dinv holds the inverse pivots. */
-void maggi_factor_mass(const maggi_topo *t, const double Mr[], double Lr[], double dinv[])
+/* Factor M^ = U^T U of the reduced mass matrix, upper half by rows.  The columns are numbered from the
+ * leaves to the root, so U keeps the zeros above `first` of a column.  dinv holds the inverse pivots;
+ * what lies left of the diagonal within its block has no meaning. */
+void maggi_factor_mass(const maggi_topo *t, const double Mr[], double Ur[], double dinv[])
 {
-  int i, j, begin;
+  int i, k, c;
   int n = t->nind, stride = t->stride;
-  double s;
+  double f;
+  double *u;
 
-  for (i = 0; i < n; ++i) {
-    for (j = t->first[i]; j < i; ++j) {
-      begin = t->first[i] > t->first[j] ? t->first[i] : t->first[j];
-      s = Mr[i * stride + j] - dot_rows(begin, j, Lr + i * stride, Lr + j * stride);
-      Lr[i * stride + j] = s * dinv[j];
+  for (i = 0; i < n; ++i)
+    for (c = i / MAGGI_WIDTH * MAGGI_WIDTH; c < n; c += MAGGI_WIDTH)
+      load(Mr + i * stride + c, Ur + i * stride + c);
+  for (k = 0; k < n; ++k) {
+    u = Ur + k * stride;
+    dinv[k] = 1.0 / sqrt(u[k]);
+    for (c = k / MAGGI_WIDTH * MAGGI_WIDTH; c < n; c += MAGGI_WIDTH)
+      scale(dinv[k], u + c);
+    for (i = k + 1; i < n; ++i) {
+      if (t->first[i] > k)
+        continue;
+      f = -u[i];
+      for (c = i / MAGGI_WIDTH * MAGGI_WIDTH; c < n; c += MAGGI_WIDTH)
+        axpy(f, u + c, Ur + i * stride + c);
     }
-    s = Mr[i * stride + i] - dot_rows(t->first[i], i, Lr + i * stride, Lr + i * stride);
-    Lr[i * stride + i] = sqrt(s);
-    dinv[i] = 1.0 / Lr[i * stride + i];
   }
 }
 
 /* M_ii a_i = f_i - M_ig a_g; acol holds a_g on entry and all accelerations of columns on return */
-void maggi_solve_mass(const maggi_topo *t, const double Mr[], const double fr[], const double Lr[],
+void maggi_solve_mass(const maggi_topo *t, const double Mr[], const double fr[], const double Ur[],
                       const double dinv[], double acol[])
 {
   int i, k;
   int n = t->nind, stride = t->stride;
+  double f;
 
   for (i = 0; i < n; ++i)
     acol[i] = fr[i];
-  for (k = n; k < t->ncol; ++k)
-    for (i = t->first[k]; i < n; ++i)
-      acol[i] -= Mr[k * stride + i] * acol[k];
   for (i = 0; i < n; ++i)
-    acol[i] = (acol[i] - dot_rows(t->first[i], i, Lr + i * stride, acol)) * dinv[i];
-  for (i = n - 1; i >= 0; --i) {
-    acol[i] *= dinv[i];
-    for (k = t->first[i]; k < i; ++k)
-      acol[k] -= Lr[i * stride + k] * acol[i];
+    for (k = n; k < t->ncol; ++k)
+      acol[i] -= Mr[i * stride + k] * acol[k];
+  for (k = 0; k < n; ++k) {
+    f = acol[k] * dinv[k];
+    acol[k] = f;
+#pragma omp simd
+    for (i = k + 1; i < n; ++i)
+      acol[i] -= Ur[k * stride + i] * f;
   }
+  for (k = n - 1; k >= 0; --k)
+    acol[k] = (acol[k] - dot_rows(k + 1, n, Ur + k * stride, acol)) * dinv[k];
 }

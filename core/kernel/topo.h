@@ -178,7 +178,7 @@ enum { MAGGI_JSPRING_K, MAGGI_JSPRING_C, MAGGI_JSPRING_REST, MAGGI_JSPRING_PRELO
   X(primy, nprim, "first row of a block in the order of islands")                                 \
   X(primva, nprim, "velocity row of its body a without the dependents of the island")             \
   X(primvb, nprim, "the same of body b")                                                          \
-  X(first, nq, "first nonzero column of a row of the reduced mass matrix")                        \
+  X(first, nq, "first nonzero row of a column of the reduced mass matrix")                        \
   X(zbeg, nq, "first column of a row of M R_z of a dependent coordinate")                         \
   X(zend, nq, "one after the last")                                                               \
   X(vrowbeg, nvrow, "first column of a velocity row")                                             \
@@ -195,8 +195,8 @@ enum { MAGGI_JSPRING_K, MAGGI_JSPRING_C, MAGGI_JSPRING_REST, MAGGI_JSPRING_PRELO
   X(idpair, npair, "pair of a dependent coordinate and a column")                                 \
   X(iddep, npair, "the dependent coordinate")                                                     \
   X(idcol, npair, "the column")                                                                   \
-  X(iirow, npair, "the larger column")                                                            \
-  X(iicol, npair, "the smaller one")                                                              \
+  X(iirow, npair, "the smaller column")                                                           \
+  X(iicol, npair, "the larger one")                                                               \
   X(ddpair, npair, "pair of two dependent coordinates")                                           \
   X(dddst, npair, "row of M R_z that takes it")                                                   \
   X(ddsrc, npair, "row of R_z that it multiplies")
