@@ -59,6 +59,7 @@ void maggi_evaluate_velocities(maggi_data *d)
 static void accelerate(maggi_data *d)
 {
   const maggi_topo *t = &d->t;
+  void *Zb = t->ndep > 0 ? d->Zb : d->Z0;
   int i;
 
   if (t->ndep > 0) {
@@ -68,15 +69,15 @@ static void accelerate(maggi_data *d)
                      ARRAY(d->Z), ARRAY(d->Z0), d->gam);
     maggi_island_vector(t, d->prim0, ARRAY(d->r), ARRAY(d->dir), ARRAY(d->b), d->phi, d->chol,
                         d->gam, d->v1, d->y1, d->x1, d->work8, d->ab);
+    maggi_accelerations(t, ARRAY(d->b), ARRAY(d->Z0), d->ab, d->W, d->Zb);
   }
-  maggi_accelerations(t, ARRAY(d->b), ARRAY(d->Z0), d->ab, d->W, d->Zb);
   maggi_element_forces(t, d->p, ARRAY(d->fun), d->spring0, d->q, d->v, ARRAY(d->A), ARRAY(d->Z),
                        ARRAY(d->r), ARRAY(d->rv), d->Q, d->tau, d->power);
   maggi_body_inertias(t, ARRAY(d->body0), ARRAY(d->A), ARRAY(d->x), d->I);
-  maggi_inertia_forces(t, ARRAY(d->I), ARRAY(d->Z), ARRAY(d->Zb), d->F);
+  maggi_inertia_forces(t, ARRAY(d->I), ARRAY(d->Z), Zb, d->F);
   if (t->nrod > 0) {
-    maggi_point_accelerations(t, 0, t->npointdyn, ARRAY(d->r), ARRAY(d->rv), ARRAY(d->Z),
-                              ARRAY(d->Zb), d->rba);
+    maggi_point_accelerations(t, 0, t->npointdyn, ARRAY(d->r), ARRAY(d->rv), ARRAY(d->Z), Zb,
+                              d->rba);
     maggi_rod_forces(t, d->p, ARRAY(d->r), ARRAY(d->rba), d->F);
   }
   maggi_accumulate(t, ARRAY(d->F), ARRAY(d->Q), d->FS);
@@ -177,29 +178,33 @@ double maggi_violation(const maggi_data *d)
   return largest;
 }
 
-/* smallest pivot, its ratio to the one at the choice, and which dependent it is */
+/* smallest pivot; the smallest ratio of one to its size at the choice, and which dependent it is */
 double maggi_smallest_pivot(const maggi_data *d, double *ratio, int *dep)
 {
   const maggi_topo *t = &d->t;
-  double smallest = INFINITY, pivot;
+  double largest = 0.0, inverse, worst = 0.0;
   int i, k, n;
 
-  *ratio = 1.0;
   *dep = -1;
   for (k = 0; k < t->nisland; ++k) {
     n = t->isldep[k + 1] - t->isldep[k];
     for (i = 0; i < n; ++i) {
-      pivot = d->chol[t->islchol[k] + i * n + i];
-      if (!(pivot >= smallest))
-        smallest = pivot;
-      pivot /= d->piv0[t->isldep[k] + i];
-      if (*dep < 0 || !(pivot >= *ratio)) {
-        *ratio = pivot;
+      inverse = d->chol[t->islchol[k] + i * n + i];
+      if (isnan(inverse)) {
+        *dep = t->isldep[k] + i;
+        *ratio = NAN;
+        return NAN;
+      }
+      largest = inverse > largest ? inverse : largest;
+      inverse *= d->piv0[t->isldep[k] + i];
+      if (inverse > worst) {
+        worst = inverse;
         *dep = t->isldep[k] + i;
       }
     }
   }
-  return smallest;
+  *ratio = t->ndep > 0 ? 1.0 / worst : 1.0;
+  return 1.0 / largest;
 }
 
 /* loop with the largest residual */

@@ -529,7 +529,7 @@ static maggi_status compile(maggi_data *d)
   for (k = 0; k < t->nisland; ++k) {
     n = t->isldep[k + 1] - t->isldep[k];
     for (i = 0; i < n; ++i)
-      d->piv0[t->isldep[k] + i] = d->chol[t->islchol[k] + i * n + i];
+      d->piv0[t->isldep[k] + i] = 1.0 / d->chol[t->islchol[k] + i * n + i];
   }
   return MAGGI_OK;
 }

@@ -17,13 +17,13 @@ static void solve_factor(int n, int adr, int nchol, const double chol[nchol], in
     s = y[dep[depadr + i]];
     for (j = 0; j < i; ++j)
       s -= chol[adr + i * n + j] * y[dep[depadr + j]];
-    y[dep[depadr + i]] = s / chol[adr + i * n + i];
+    y[dep[depadr + i]] = s * chol[adr + i * n + i];
   }
   for (i = n - 1; i >= 0; --i) {
     s = y[dep[depadr + i]];
     for (j = i + 1; j < n; ++j)
       s -= chol[adr + j * n + i] * y[dep[depadr + j]];
-    y[dep[depadr + i]] = s / chol[adr + i * n + i];
+    y[dep[depadr + i]] = s * chol[adr + i * n + i];
   }
 }
 

@@ -4,7 +4,8 @@
 
 #include "kernel.h"
 
-/* lower factor of the n x n matrix at chol[adr], in place; a lost pivot leaves what is not finite */
+/* lower factor of the n x n matrix at chol[adr], in place, with the inverse pivots on its diagonal; a
+ * lost pivot leaves what is not finite */
 void maggi_cholesky_island(int n, int adr, double chol[])
 {
   int i, j, k;
@@ -16,12 +17,12 @@ void maggi_cholesky_island(int n, int adr, double chol[])
       s = L[i * n + j];
       for (k = 0; k < j; ++k)
         s -= L[i * n + k] * L[j * n + k];
-      L[i * n + j] = s / L[j * n + j];
+      L[i * n + j] = s * L[j * n + j];
     }
     s = L[i * n + i];
     for (k = 0; k < i; ++k)
       s -= L[i * n + k] * L[i * n + k];
-    L[i * n + i] = sqrt(s);
+    L[i * n + i] = 1.0 / sqrt(s);
   }
 }
 
@@ -63,12 +64,12 @@ static inline void substitute(int n, const double *L, block T[])
   for (i = 0; i < n; ++i) {
     for (j = 0; j < i; ++j)
       axpy(-L[i * n + j], T[j], T[i]);
-    scale(1.0 / L[i * n + i], T[i]);
+    scale(L[i * n + i], T[i]);
   }
   for (i = n - 1; i >= 0; --i) {
     for (j = i + 1; j < n; ++j)
       axpy(-L[j * n + i], T[j], T[i]);
-    scale(1.0 / L[i * n + i], T[i]);
+    scale(L[i * n + i], T[i]);
   }
 }
 

@@ -7,7 +7,7 @@ double maggi_dot(const double a[3], const double b[3])
 
 double maggi_dot6(const double a[6], const double b[6])
 {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3] + a[4] * b[4] + a[5] * b[5];
+  return (a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) + (a[3] * b[3] + a[4] * b[4] + a[5] * b[5]);
 }
 
 void maggi_cross(const double a[3], const double b[3], double c[3])

@@ -108,12 +108,12 @@ maggi_status maggi_compile_link(maggi_compile *c, const char *section, const cha
 }
 
 maggi_status maggi_compile_coordinate(maggi_compile *c, const char *section, const char *name,
-                                      const char *coordinate, int *q)
+                                      const char *key, const char *coordinate, int *q)
 {
   int i, k;
 
   if (!coordinate)
-    return maggi_builder_fail(c->b, MAGGI_E_MODEL, "%s.%s: coordinate is missing", section, name);
+    return maggi_builder_fail(c->b, MAGGI_E_MODEL, "%s.%s: %s is missing", section, name, key);
   for (i = 0; i < c->m->ncoordinate; ++i) {
     if (strcmp(c->m->coordinate[i].name, coordinate) == 0) {
       *q = c->m->coordinate[i].q;
@@ -123,13 +123,13 @@ maggi_status maggi_compile_coordinate(maggi_compile *c, const char *section, con
   k = maggi_compile_body(c, coordinate);
   if (k >= 0)
     return maggi_builder_fail(c->b, MAGGI_E_MODEL,
-                              "%s.%s: \"%s\" has a %s joint, %s", section, name, coordinate,
+                              "%s.%s: %s \"%s\" has a %s joint, %s", section, name, key, coordinate,
                               maggi_joint_type_name(c->b->body[k].joint),
                               c->b->body[k].joint == MAGGI_JOINT_FIXED
                                   ? "without a coordinate"
                                   : "name one of its coordinates .1, .2 ..");
-  return maggi_builder_fail(c->b, MAGGI_E_MODEL, "%s.%s: coordinate \"%s\" does not exist", section,
-                            name, coordinate);
+  return maggi_builder_fail(c->b, MAGGI_E_MODEL, "%s.%s: %s \"%s\" does not exist", section, name,
+                            key, coordinate);
 }
 
 maggi_status maggi_compile_function(maggi_compile *c, const char *section, const char *name,

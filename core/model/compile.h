@@ -37,7 +37,7 @@ maggi_status maggi_compile_link(maggi_compile *c, const char *section, const cha
                                 const char *key, const char *body, int *id);
 /* Internal coordinate by name; fails likewise. */
 maggi_status maggi_compile_coordinate(maggi_compile *c, const char *section, const char *name,
-                                      const char *coordinate, int *q);
+                                      const char *key, const char *coordinate, int *q);
 maggi_status maggi_compile_function(maggi_compile *c, const char *section, const char *name,
                                     const char *function, int *id);
 int maggi_compile_point(maggi_compile *c, int body, int adr);

@@ -124,9 +124,10 @@ static maggi_status add_joint_spring(maggi_compile *c, const maggi_joint_spring_
   int q, q2 = -1, adr, k;
   const char *force, *angle = "rad", *unit[4];
 
-  status = maggi_compile_coordinate(c, "joint_springs", d->name, d->coordinate, &q);
+  status = maggi_compile_coordinate(c, "joint_springs", d->name, "coordinate", d->coordinate, &q);
   if (status == MAGGI_OK && d->coordinate2)
-    status = maggi_compile_coordinate(c, "joint_springs", d->name, d->coordinate2, &q2);
+    status = maggi_compile_coordinate(c, "joint_springs", d->name, "coordinate2", d->coordinate2,
+                                      &q2);
   if (status != MAGGI_OK)
     return status;
   if (q == q2)
@@ -162,7 +163,7 @@ static maggi_status add_force(maggi_compile *c, const maggi_force_def *d)
   if (d->function)
     status = maggi_compile_function(c, "forces", d->name, d->function, &fun);
   if (status == MAGGI_OK && d->type == MAGGI_FORCE_JOINT)
-    status = maggi_compile_coordinate(c, "forces", d->name, d->coordinate, &q);
+    status = maggi_compile_coordinate(c, "forces", d->name, "coordinate", d->coordinate, &q);
   if (status == MAGGI_OK && d->type != MAGGI_FORCE_JOINT)
     status = maggi_compile_link(c, "forces", d->name, "body", d->body, &body);
   if (status == MAGGI_OK && d->type != MAGGI_FORCE_JOINT && d->reaction)

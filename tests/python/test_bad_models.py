@@ -336,7 +336,7 @@ ROWS = [
         "coordinate of a compound",
         "coordinate: crank",
         "coordinate: ball",
-        "- name: twist",
+        "coordinate: ball",
         '"ball"',
     ),
     Row(

@@ -107,7 +107,8 @@ typedef enum maggi_initial {
  *           axis2 (any length)     bodies.NAME.joint.point.x, .axis.x, .axis2.x
  *   position, velocity
  *           initial [rad or m]     bodies.NAME.joint.position, .velocity (.1, .2 .. if compound)
- *   motion  function of time that guides the coordinate, or NULL
+ *   motion  function of time that guides the coordinate, or NULL; a guided coordinate takes no
+ *           initial position and velocity
  *
  * axis2 of a planar joint may be left zero: a direction in the plane is chosen.
  */
@@ -356,8 +357,8 @@ int maggi_sensor_type_find(const char *name);
  *
  * in    def     copied, strings too
  * status        MAGGI_OK; MAGGI_E_MEMORY; MAGGI_E_MODEL for what is wrong in itself (no name, a name
- *               twice or with other characters than letters, digits, _ and -, a number that is not
- *               finite, a negative mass, a zero axis, ..); what refers to other parts is checked by
+ *               twice, longer than 100 characters or with others than letters, digits, _ and -, a
+ *               number that is not finite, a negative mass, a zero axis, ..); what refers to other parts is checked by
  *               maggi_model_create.  The text is in maggi_builder_message, until the next call.
  * memory        the builder owns its copies; maggi_builder_free(NULL) does nothing
  * threads       a builder belongs to one thread
@@ -395,16 +396,17 @@ void maggi_model_free(maggi_model *model);
 /* Read a YAML model file (format: models/README.md).
  *
  * out   model     NULL on failure
- *       message   one line, `FILE:LINE: what is wrong`                      (nmessage chars)
+ *       message   one line, `FILE:LINE: what is wrong`; without LINE when the file cannot be read
+ *                                                                           (nmessage chars)
  * status          MAGGI_OK, MAGGI_E_MEMORY, MAGGI_E_FILE, MAGGI_E_MODEL
  * since           0.1; only in builds with MAGGI_WITH_YAML
  */
 maggi_status maggi_model_load(const char *path, maggi_model **model, char *message, size_t nmessage);
 
 /* The multiple four-bar mechanism of [1] 4.6.2, ny four-bars side by side in each of nz rows, with
- * z_1'(0) = pi/3 rad/s on the first vertical bar.  Bars 1 m, 1 kg, in the yz plane; 3*ny + nz... bars:
- * (2*ny + 1)*nz coordinates, nz degrees of freedom.  Bodies are named v_R_C and h_R_C, rows R and
- * columns C from 1.
+ * z_1'(0) = pi/3 rad/s on the first vertical bar.  (2*ny + 1)*nz bars of 1 m and 1 kg in the yz
+ * plane, as many coordinates, nz degrees of freedom.  Vertical bars v_R_C and horizontal ones h_R_C,
+ * rows R and columns C from 1; v_R_C turns relative to the vertical above it, h_R_C to v_R_C.
  *
  * in    ny, nz   at least 1
  * status         MAGGI_OK, MAGGI_E_VALUE, MAGGI_E_MEMORY
@@ -473,10 +475,11 @@ int maggi_parameter_find(const maggi_model *m, const char *path);
 maggi_status maggi_data_create(const maggi_model *m, maggi_data **data);
 void maggi_data_free(maggi_data *d);
 
-/* Text of the last failure of a call on d, "" if none; owned by d. */
+/* Text of the last failure of a call on d, one line, "" if none; owned by d. */
 const char *maggi_data_message(const maggi_data *d);
 
-/* Parameters of this simulation, defaults of the model at first.
+/* Parameters of this simulation, defaults of the model at first.  Setting an initial position or
+ * velocity prescribes it (MAGGI_INITIAL_GIVEN).
  *
  * status     MAGGI_OK; MAGGI_E_NAME for an index out of range; MAGGI_E_VALUE for a number that the
  *            model cannot have (not finite, negative mass, ..; the old value stays)
@@ -501,8 +504,8 @@ maggi_status maggi_data_set_tolerance(maggi_data *d, double tolerance);
  */
 maggi_status maggi_data_reset(maggi_data *d);
 
-/* Put the simulation at a given time and state, completed like the initial one: loops are closed by
- * moving the dependent coordinates, dependent velocities follow from the independent ones.
+/* Put the simulation at a given time and state: loops are closed by moving the dependent
+ * coordinates, dependent velocities follow from the independent ones.  Replaces a reset.
  *
  * in    q, v   coordinates and velocities                              (coordinates)
  * status       as maggi_data_reset
@@ -511,7 +514,8 @@ maggi_status maggi_data_set_state(maggi_data *d, double t, const double *q, cons
 
 /* One step of the classical Runge-Kutta method of order 4 of size h > 0 (h < 0 integrates back),
  * drift control and, when the independent coordinates have become bad ones, a new choice of them.
- * After it the accelerations of the new state are at hand.  [1] 2.62-2.66
+ * Four evaluations, more where a loop passes a singular position.  After it the accelerations of the
+ * new state are at hand.  [1] 2.62-2.66
  *
  * status     MAGGI_OK; MAGGI_E_LOCKUP naming time and loop; MAGGI_E_MASS; MAGGI_E_NOT_FINITE
  *            (step too large); MAGGI_E_VALUE for h = 0 or not finite; MAGGI_E_MODEL before a reset
@@ -532,7 +536,8 @@ void maggi_get_drives(maggi_data *d, double *drives);
 
 /* Wrench that the parent exerts on each body through its joint: force [N] and moment [N m] at the
  * joint point, global axes (bodies x 6).  Springs, drives and loads on the joint itself are part of
- * it.  Where loops have redundant equations, the share of smallest norm.  [1] 2.69-2.85 */
+ * it.  Where loops have redundant equations, the share of smallest norm among loops that are solved
+ * together.  [1] 2.69-2.85 */
 void maggi_get_reactions(maggi_data *d, double *wrenches);
 /* Multipliers of the loop equations (loop_equations), loops in order; a rod's is its axial force,
  * tension positive. */
@@ -547,12 +552,13 @@ typedef struct maggi_energy {
 } maggi_energy;
 void maggi_get_energy(maggi_data *d, maggi_energy *energy);
 
-/* How well the loops stand.
+/* How well the loops stand; a cheap read, after a successful reset.
  *   dof             degrees of freedom: coordinates - guided - rank
  *   rank            of the loop equations on the coordinates that are not guided
- *   violation       largest |Phi| now [m, rad]
- *   pivot_ratio     smallest pivot of the loops now over its size in the position where the
- *                   independent coordinates were chosen; near 0 at a singular position
+ *   violation       largest |Phi| now [m, rad]; 0 without loops
+ *   pivot_ratio     singularity indicator: smallest pivot of the loops now over its size in the
+ *                   position where the independent coordinates were chosen; 1 there and without
+ *                   loops, near 0 at a singular position
  *   changes         times the independent coordinates were changed
  *   projections     Newton iterations of drift control
  *   evaluations     of the right-hand side
