@@ -249,8 +249,7 @@ def test_n_four_bar(maggi, reference, number, file, time):
     first = columns["crank_0.q"]
     for i in range(1, number + 1):
         assert numpy.max(abs(columns[f"crank_{i}.q"] - first)) < 1e-6
-    # nothing is promised here; the benchmark asks for 1e-3
-    assert relative(first, since_start("theta")(ref, "")) < 1e-5
+    assert relative(first, since_start("theta")(ref, "")) < 1e-9
 
 
 @pytest.mark.slow
@@ -274,11 +273,10 @@ def test_multiple_four_bar(maggi, ny):
 
 
 def test_multiple_four_bar_reference_file(maggi, reference):
-    """1x15 against the file itself; the promise is about the end, this looks on the way too."""
+    """1x15 against the file itself, on the whole way: a step of 1 ms gives 1e-8 rad."""
     ref = reference("T6_multi_fourbar")
     columns = run(maggi, "multiple-four-bar:1x15", ref, 1e-3)
     angle = numpy.zeros_like(ref["t"])
     for row in range(1, 16):
         angle = angle + columns[f"v_{row}_1.q"]
-        assert abs(angle - ref[f"th{row}"])[-1] < 1e-6, row
-        assert numpy.max(abs(angle - ref[f"th{row}"])) < 1e-5, row
+        assert numpy.max(abs(angle - ref[f"th{row}"])) < 1e-8, row
