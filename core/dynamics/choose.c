@@ -78,7 +78,7 @@ static double fill_matrix(maggi_data *d, int loop, int n, int *rows)
 
   *rows = 0;
   for (prim = pl->loopprim[loop]; prim < pl->loopprim[loop + 1]; ++prim) {
-    nrow = t->primkind[prim] == MAGGI_PRIM_POINT || t->primkind[prim] == MAGGI_PRIM_AXIS ? 3 : 1;
+    nrow = maggi_prim_rows(t->primkind[prim]);
     *rows += nrow;
     for (i = t->pathadr[loop]; i < t->pathadr[loop + 1]; ++i) {
       q = t->pathq[i];

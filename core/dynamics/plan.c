@@ -1,143 +1,9 @@
-/* From the dependent coordinates of each loop to islands and the lists that the kernel follows. */
+/* From islands to the lists that the kernel follows. */
 #include "plan.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-/* room for n integers set to value; false when out of memory */
-static int sized(maggi_ints *list, int n, int value)
-{
-  int i, *v;
-
-  if (n > list->cap || !list->v) {
-    v = realloc(list->v, (size_t)(n + n / 4 + 16) * sizeof *v);
-    if (!v)
-      return 0;
-    list->v = v;
-    list->cap = n + n / 4 + 16;
-  }
-  for (i = 0; i < n; ++i)
-    list->v[i] = value;
-  list->n = n;
-  return 1;
-}
-
-static int push(maggi_ints *list, int value)
-{
-  int n = list->n, *v;
-
-  if (n == list->cap) {
-    v = realloc(list->v, (size_t)(2 * n + 16) * sizeof *v);
-    if (!v)
-      return 0;
-    list->v = v;
-    list->cap = 2 * n + 16;
-  }
-  list->v[list->n++] = value;
-  return 1;
-}
-
-static int *ints(int n)
-{
-  return calloc((size_t)n + 1, sizeof(int));
-}
-
-static int prim_rows(int kind)
-{
-  return kind == MAGGI_PRIM_POINT || kind == MAGGI_PRIM_AXIS ? 3 : 1;
-}
-
-/* loops by the length of their path, in the order of the file among equals */
-static void sort_loops(const maggi_topo *t, int *order)
-{
-  int length, n = 0, loop, longest = 0;
-
-  for (loop = 0; loop < t->nloop; ++loop)
-    if (t->pathadr[loop + 1] - t->pathadr[loop] > longest)
-      longest = t->pathadr[loop + 1] - t->pathadr[loop];
-  for (length = 0; length <= longest; ++length)
-    for (loop = 0; loop < t->nloop; ++loop)
-      if (t->pathadr[loop + 1] - t->pathadr[loop] == length)
-        order[n++] = loop;
-}
-
-maggi_status maggi_planner_create(const maggi_model *m, maggi_planner **planner)
-{
-  const maggi_topo *t = &m->topo;
-  maggi_planner *pl;
-  int ok, i;
-
-  *planner = NULL;
-  pl = calloc(1, sizeof *pl);
-  if (!pl)
-    return MAGGI_E_MEMORY;
-  pl->order = ints(t->nloop);
-  pl->loopprim = ints(t->nloop + 1);
-  pl->owner = ints(t->nq);
-  pl->previous = ints(t->nq);
-  pl->rank = ints(t->nloop);
-  pl->row = calloc((size_t)t->nq + 1, sizeof *pl->row);
-  pl->candidate = ints(t->nq);
-  pl->columnq = ints(t->nq);
-  pl->sum = calloc((size_t)t->nq + 1, sizeof *pl->sum);
-  pl->component = ints(t->nloop);
-  pl->low = ints(t->nloop);
-  pl->index = ints(t->nloop);
-  pl->stack = ints(t->nloop);
-  pl->frame = ints(t->nloop);
-  pl->at = ints(t->nloop);
-  pl->loopisland = ints(t->nloop);
-  pl->local = ints(t->nq);
-  pl->vhead = ints(t->nbody);
-  pl->climb = ints(t->nbody);
-  ok = pl->order && pl->loopprim && pl->owner && pl->previous && pl->rank && pl->row &&
-       pl->candidate && pl->columnq && pl->sum && pl->component && pl->low && pl->index &&
-       pl->stack && pl->frame && pl->at && pl->loopisland && pl->local && pl->vhead && pl->climb;
-  if (!ok) {
-    maggi_planner_free(pl);
-    return MAGGI_E_MEMORY;
-  }
-  sort_loops(t, pl->order);
-  for (i = 0; i < t->nprim; ++i)
-    pl->loopprim[t->primloop[i] + 1] = i + 1;
-  *planner = pl;
-  return MAGGI_OK;
-}
-
-void maggi_planner_free(maggi_planner *pl)
-{
-  if (!pl)
-    return;
-  free(pl->order);
-  free(pl->loopprim);
-  free(pl->owner);
-  free(pl->previous);
-  free(pl->rank);
-  free(pl->row);
-  free(pl->poolq);
-  free(pl->poolc);
-  free(pl->candidate);
-  free(pl->columnq);
-  free(pl->matrix);
-  free(pl->sum);
-  free(pl->component);
-  free(pl->low);
-  free(pl->index);
-  free(pl->stack);
-  free(pl->frame);
-  free(pl->at);
-  free(pl->loopisland);
-  free(pl->local);
-  free(pl->vhead);
-  free(pl->climb);
-  free(pl->vbase.v);
-  free(pl->vnext.v);
-#define X(name, size, text) free(pl->name.v);
-  MAGGI_PLAN_LIST(X)
-#undef X
-  free(pl);
-}
 
 /* ------------------------------------------------------------------------------------ columns */
 
@@ -148,7 +14,7 @@ static int number_columns(maggi_data *d)
   maggi_planner *pl = d->planner;
   int i, pass;
 
-  if (!sized(&pl->col, t->nq, -1) || !sized(&pl->colq, t->nq, -1))
+  if (!maggi_sized(&pl->col, t->nq, -1) || !maggi_sized(&pl->colq, t->nq, -1))
     return 0;
   t->ncol = 0;
   t->ndep = 0;
@@ -165,128 +31,6 @@ static int number_columns(maggi_data *d)
       t->nind = t->ncol;
   }
   t->stride = (t->ncol + MAGGI_WIDTH - 1) / MAGGI_WIDTH * MAGGI_WIDTH;
-  return 1;
-}
-
-/* ------------------------------------------------------------------------------------ islands */
-
-/* Tarjan: a loop needs the loops on which coordinates of its path depend.  Components come out in
- * the order in which they can be solved. */
-static int find_components(maggi_data *d)
-{
-  const maggi_topo *t = &d->t;
-  maggi_planner *pl = d->planner;
-  int i, l, k, to, count = 0, n = 0, nstack = 0, depth;
-
-  for (i = 0; i < t->nloop; ++i)
-    pl->index[i] = pl->component[i] = -1;
-  for (i = 0; i < t->nloop; ++i) {
-    if (pl->index[i] >= 0)
-      continue;
-    depth = 0;
-    pl->frame[0] = i;
-    pl->at[i] = t->pathadr[i];
-    pl->index[i] = pl->low[i] = count++;
-    pl->stack[nstack++] = i;
-    while (depth >= 0) {
-      l = pl->frame[depth];
-      if (pl->at[l] < t->pathadr[l + 1]) {
-        to = pl->owner[t->pathq[pl->at[l]++]];
-        if (to < 0 || to == l)
-          continue;
-        if (pl->index[to] < 0) {
-          pl->frame[++depth] = to;
-          pl->at[to] = t->pathadr[to];
-          pl->index[to] = pl->low[to] = count++;
-          pl->stack[nstack++] = to;
-        } else if (pl->component[to] < 0 && pl->index[to] < pl->low[l]) {
-          pl->low[l] = pl->index[to];
-        }
-        continue;
-      }
-      if (pl->low[l] == pl->index[l]) {
-        do {
-          k = pl->stack[--nstack];
-          pl->component[k] = n;
-        } while (k != l);
-        ++n;
-      }
-      if (--depth >= 0 && pl->low[l] < pl->low[pl->frame[depth]])
-        pl->low[pl->frame[depth]] = pl->low[l];
-    }
-  }
-  return n;
-}
-
-/* islands are the components that determine something; their loops, rows and dependents */
-static int list_islands(maggi_data *d)
-{
-  maggi_topo *t = &d->t;
-  maggi_planner *pl = d->planner;
-  int *island = pl->stack, *adr = pl->at, *fill = pl->frame; /* free again */
-  int n = find_components(d), i, k, ok, rows;
-
-  ok = sized(&pl->isldep, t->nloop1, 0) && sized(&pl->islprim, t->nloop1, 0) &&
-       sized(&pl->islrow, t->nloop1, 0) && sized(&pl->islvop, t->nloop1, 0) &&
-       sized(&pl->islent, t->nloop1, 0) && sized(&pl->islphi, t->nloop1, 0) &&
-       sized(&pl->islchol, t->nloop1, 0) && sized(&pl->islbeg, t->nloop1, 0) &&
-       sized(&pl->islend, t->nloop1, 0) && sized(&pl->dep, t->nq, 0) &&
-       sized(&pl->primorder, t->nprim, 0) && sized(&pl->primy, t->nprim, 0) &&
-       sized(&pl->primva, t->nprim, 0) && sized(&pl->primvb, t->nprim, 0);
-  if (!ok)
-    return 0;
-  for (i = 0; i < n; ++i)
-    island[i] = 0;
-  for (i = 0; i < t->nloop; ++i)
-    island[pl->component[i]] += pl->rank[i];
-  k = 0;
-  for (i = 0; i < n; ++i)
-    island[i] = island[i] > 0 ? k++ : -1;
-  t->nisland = k;
-  for (i = 0; i < t->nloop; ++i)
-    pl->loopisland[i] = island[pl->component[i]];
-
-  /* counts, then addresses */
-  for (i = 0; i < t->nq; ++i)
-    if (pl->owner[i] >= 0)
-      ++pl->isldep.v[pl->loopisland[pl->owner[i]] + 1];
-  for (i = 0; i < t->nprim; ++i) {
-    k = pl->loopisland[t->primloop[i]];
-    if (k < 0)
-      continue;
-    ++pl->islprim.v[k + 1];
-    pl->islrow.v[k + 1] += prim_rows(t->primkind[i]);
-  }
-  for (k = 0; k < t->nisland; ++k) {
-    n = pl->isldep.v[k + 1];
-    rows = pl->islrow.v[k + 1];
-    pl->islphi.v[k + 1] = pl->islphi.v[k] + rows * n;
-    pl->islchol.v[k + 1] = pl->islchol.v[k] + n * n;
-    pl->isldep.v[k + 1] += pl->isldep.v[k];
-    pl->islprim.v[k + 1] += pl->islprim.v[k];
-    pl->islrow.v[k + 1] += pl->islrow.v[k];
-  }
-  t->nphi = pl->islphi.v[t->nisland];
-  t->nchol = pl->islchol.v[t->nisland];
-  for (k = 0; k < t->nisland; ++k)
-    adr[k] = fill[k] = 0;
-  for (i = 0; i < t->nq; ++i) {
-    if (pl->owner[i] < 0)
-      continue;
-    k = pl->loopisland[pl->owner[i]];
-    pl->local[i] = adr[k];
-    pl->dep.v[pl->isldep.v[k] + adr[k]++] = i;
-  }
-  for (k = 0; k < t->nisland; ++k)
-    adr[k] = 0;
-  for (i = 0; i < t->nprim; ++i) {
-    k = pl->loopisland[t->primloop[i]];
-    if (k < 0)
-      continue;
-    pl->primorder.v[pl->islprim.v[k] + adr[k]++] = i;
-    pl->primy.v[i] = pl->islrow.v[k] + fill[k];
-    fill[k] += prim_rows(t->primkind[i]);
-  }
   return 1;
 }
 
@@ -313,9 +57,9 @@ static int add_row(maggi_data *d, int base, int src, int q)
   int row = pl->vrowbeg.n;
 
   widen(&begin, &end, pl->rbeg.v[q], pl->rend.v[q]);
-  if (!push(&pl->vrowbeg, begin) || !push(&pl->vrowend, end) || !push(&pl->vbase, base) ||
-      !push(&pl->vnext, -1) || !push(&pl->vopdst, row) || !push(&pl->vopsrc, src) ||
-      !push(&pl->vopq, q))
+  if (!maggi_push_int(&pl->vrowbeg, begin) || !maggi_push_int(&pl->vrowend, end) || !maggi_push_int(&pl->vbase, base) ||
+      !maggi_push_int(&pl->vnext, -1) || !maggi_push_int(&pl->vopdst, row) || !maggi_push_int(&pl->vopsrc, src) ||
+      !maggi_push_int(&pl->vopq, q))
     return -1;
   return row;
 }
@@ -385,8 +129,8 @@ static int push_entries(maggi_data *d, int prim, int island)
     if (pl->owner[q] < 0 || pl->loopisland[pl->owner[q]] != island)
       continue;
     adr = pl->islphi.v[island] + (pl->primy.v[prim] - pl->islrow.v[island]) * n + pl->local[q];
-    if (!push(&pl->entprim, prim) || !push(&pl->entside, t->pathside[i]) || !push(&pl->entq, q) ||
-        !push(&pl->entadr, adr) || !push(&pl->entstep, n))
+    if (!maggi_push_int(&pl->entprim, prim) || !maggi_push_int(&pl->entside, t->pathside[i]) || !maggi_push_int(&pl->entq, q) ||
+        !maggi_push_int(&pl->entadr, adr) || !maggi_push_int(&pl->entstep, n))
       return 0;
   }
   return 1;
@@ -399,7 +143,7 @@ static int list_velocities(maggi_data *d)
   maggi_planner *pl = d->planner;
   int i, k, prim, last, va = 0, vb = 0, begin, end;
 
-  if (!sized(&pl->rbeg, t->nq, 0) || !sized(&pl->rend, t->nq, 0))
+  if (!maggi_sized(&pl->rbeg, t->nq, 0) || !maggi_sized(&pl->rend, t->nq, 0))
     return 0;
   for (i = 0; i < t->ncol; ++i) {
     pl->rbeg.v[pl->colq.v[i]] = i;
@@ -410,8 +154,8 @@ static int list_velocities(maggi_data *d)
   pl->vrowbeg.n = pl->vrowend.n = pl->vbase.n = pl->vnext.n = 0;
   pl->vopdst.n = pl->vopsrc.n = pl->vopq.n = 0;
   pl->entprim.n = pl->entside.n = pl->entq.n = pl->entadr.n = pl->entstep.n = 0;
-  if (!push(&pl->vrowbeg, 0) || !push(&pl->vrowend, 0) || !push(&pl->vbase, -1) ||
-      !push(&pl->vnext, -1))
+  if (!maggi_push_int(&pl->vrowbeg, 0) || !maggi_push_int(&pl->vrowend, 0) || !maggi_push_int(&pl->vbase, -1) ||
+      !maggi_push_int(&pl->vnext, -1))
     return 0;
   for (k = 0; k < t->nisland; ++k) {
     begin = end = 0;
@@ -466,7 +210,7 @@ static int list_mass(maggi_data *d)
   pl->iipair.n = pl->iirow.n = pl->iicol.n = 0;
   pl->idpair.n = pl->iddep.n = pl->idcol.n = 0;
   pl->ddpair.n = pl->dddst.n = pl->ddsrc.n = 0;
-  if (!sized(&pl->first, t->nq, 0) || !sized(&pl->zbeg, t->nq, 0) || !sized(&pl->zend, t->nq, 0))
+  if (!maggi_sized(&pl->first, t->nq, 0) || !maggi_sized(&pl->zbeg, t->nq, 0) || !maggi_sized(&pl->zend, t->nq, 0))
     return 0;
   for (i = 0; i < t->nq; ++i) {
     pl->first.v[i] = i;
@@ -481,18 +225,18 @@ static int list_mass(maggi_data *d)
     ci = pl->col.v[i];
     cj = pl->col.v[j];
     if (ci >= 0 && cj >= 0) {
-      ok = push(&pl->iipair, k) && push(&pl->iirow, ci > cj ? cj : ci) &&
-           push(&pl->iicol, ci > cj ? ci : cj);
+      ok = maggi_push_int(&pl->iipair, k) && maggi_push_int(&pl->iirow, ci > cj ? cj : ci) &&
+           maggi_push_int(&pl->iicol, ci > cj ? ci : cj);
       lower(&pl->first.v[ci > cj ? ci : cj], ci > cj ? cj : ci);
     } else if (ci >= 0 || cj >= 0) {
       q = ci >= 0 ? j : i;
       c = ci >= 0 ? ci : cj;
-      ok = push(&pl->idpair, k) && push(&pl->iddep, q) && push(&pl->idcol, c);
+      ok = maggi_push_int(&pl->idpair, k) && maggi_push_int(&pl->iddep, q) && maggi_push_int(&pl->idcol, c);
       widen(&pl->zbeg.v[q], &pl->zend.v[q], c, c + 1);
     } else {
       src = pl->rend.v[i] - pl->rbeg.v[i] < pl->rend.v[j] - pl->rbeg.v[j] ? i : j;
       dst = i + j - src;
-      ok = push(&pl->ddpair, k) && push(&pl->dddst, dst) && push(&pl->ddsrc, src);
+      ok = maggi_push_int(&pl->ddpair, k) && maggi_push_int(&pl->dddst, dst) && maggi_push_int(&pl->ddsrc, src);
       widen(&pl->zbeg.v[dst], &pl->zend.v[dst], pl->rbeg.v[src], pl->rend.v[src]);
     }
   }
@@ -517,7 +261,7 @@ static maggi_status compile(maggi_data *d)
   maggi_status status;
   int i, k, n;
 
-  if (!number_columns(d) || !list_islands(d) || !list_velocities(d) || !list_mass(d))
+  if (!number_columns(d) || !maggi_list_islands(d) || !list_velocities(d) || !list_mass(d))
     return maggi_data_fail(d, MAGGI_E_MEMORY, "out of memory");
 #define X(name, size, text) t->name = pl->name.v;
   MAGGI_PLAN_LIST(X)

@@ -1,8 +1,8 @@
 /* Choice of the dependent coordinates and what follows from it.
  *
  * choose.c eliminates loop by loop, with the rows of each expressed in the coordinates that are still
- * free; the pivots are the dependent coordinates of the loop.  plan.c orders the loops into islands
- * and writes the lists of the kernel. */
+ * free; the pivots are the dependent coordinates of the loop.  islands.c orders the loops into
+ * islands, plan.c writes the lists of the kernel. */
 #ifndef MAGGI_PLAN_H
 #define MAGGI_PLAN_H
 
@@ -44,6 +44,13 @@ struct maggi_planner {
   MAGGI_PLAN_LIST(X)
 #undef X
 };
+
+/* planner.c: lists of integers; false when out of memory */
+int maggi_sized(maggi_ints *list, int n, int value); /* n integers set to value */
+int maggi_push_int(maggi_ints *list, int value);
+
+/* islands.c: loops and dependents by island; false when out of memory */
+int maggi_list_islands(maggi_data *d);
 
 maggi_status maggi_choose(maggi_data *d, int avoid, double threshold);
 

@@ -1,18 +1,12 @@
 /* Kinetic and potential energy. */
 #include "kernel.h"
 
-/* Z.(I Z) */
 static double twice_kinetic(const double I[10], const double Z[6])
 {
-  double L[3], H[3];
+  double H[6];
 
-  L[0] = I[0] * Z[0] + Z[4] * I[3] - Z[5] * I[2];
-  L[1] = I[0] * Z[1] + Z[5] * I[1] - Z[3] * I[3];
-  L[2] = I[0] * Z[2] + Z[3] * I[2] - Z[4] * I[1];
-  H[0] = I[2] * Z[2] - I[3] * Z[1] + I[4] * Z[3] + I[7] * Z[4] + I[8] * Z[5];
-  H[1] = I[3] * Z[0] - I[1] * Z[2] + I[7] * Z[3] + I[5] * Z[4] + I[9] * Z[5];
-  H[2] = I[1] * Z[1] - I[2] * Z[0] + I[8] * Z[3] + I[9] * Z[4] + I[6] * Z[5];
-  return L[0] * Z[0] + L[1] * Z[1] + L[2] * Z[2] + H[0] * Z[3] + H[1] * Z[4] + H[2] * Z[5];
+  maggi_inertia_mul(I, Z, H);
+  return maggi_dot6(H, Z);
 }
 
 /* T = sum Z.(I Z) / 2 + sum over rods m v_a.v_b / 6 */

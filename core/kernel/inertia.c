@@ -47,25 +47,14 @@ void maggi_body_inertias(const maggi_topo *t, const double body0[t->nbody][10],
     body_inertia(body0[t->massive[i]], A[t->massive[i]], x[t->massive[i]], I[t->massive[i]]);
 }
 
-/* (m s + w × h, h × s + J w) */
-static void momentum(const double I[10], const double Z[6], double H[6])
-{
-  H[0] = I[0] * Z[0] + Z[4] * I[3] - Z[5] * I[2];
-  H[1] = I[0] * Z[1] + Z[5] * I[1] - Z[3] * I[3];
-  H[2] = I[0] * Z[2] + Z[3] * I[2] - Z[4] * I[1];
-  H[3] = I[2] * Z[2] - I[3] * Z[1] + I[4] * Z[3] + I[7] * Z[4] + I[8] * Z[5];
-  H[4] = I[3] * Z[0] - I[1] * Z[2] + I[7] * Z[3] + I[5] * Z[4] + I[9] * Z[5];
-  H[5] = I[1] * Z[1] - I[2] * Z[0] + I[8] * Z[3] + I[9] * Z[4] + I[6] * Z[5];
-}
-
 /* minus d/dt of the momentum H = I Z about the fixed P:
  *   F = I Z' + (w × H_lin, w × H_ang + s × H_lin) */
 static void inertia_force(const double I[10], const double Z[6], const double Za[6], double F[6])
 {
   double H[6], D[6];
 
-  momentum(I, Z, H);
-  momentum(I, Za, D);
+  maggi_inertia_mul(I, Z, H);
+  maggi_inertia_mul(I, Za, D);
   F[0] = -D[0] - (Z[4] * H[2] - Z[5] * H[1]);
   F[1] = -D[1] - (Z[5] * H[0] - Z[3] * H[2]);
   F[2] = -D[2] - (Z[3] * H[1] - Z[4] * H[0]);

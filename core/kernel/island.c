@@ -181,7 +181,7 @@ void maggi_island_vector(const maggi_topo *t, const double prim0[t->nprim],
                          double x1[t->nq * MAGGI_WIDTH], double work[t->nq * MAGGI_WIDTH],
                          double x[t->nq])
 {
-  int k, i, j, n, row;
+  int k, i, j, row;
 
   for (k = 0; k < t->nisland; ++k) {
     for (i = t->islvop[k]; i < t->islvop[k + 1]; ++i)
@@ -192,8 +192,7 @@ void maggi_island_vector(const maggi_topo *t, const double prim0[t->nprim],
       prim_rate(t->primkind[j], t->primy[j], t->primva[j], t->primvb[j], 0, 1, MAGGI_WIDTH,
                 prim0[j], r[t->primpa[j]], r[t->primpb[j]], dir[t->primda[j]], dir[t->primdb[j]],
                 t->nvrow * 6 * MAGGI_WIDTH, v1, t->nrow * MAGGI_WIDTH, y1);
-      n = t->primkind[j] == MAGGI_PRIM_POINT || t->primkind[j] == MAGGI_PRIM_AXIS ? 3 : 1;
-      for (row = 0; row < n; ++row)
+      for (row = 0; row < maggi_prim_rows(t->primkind[j]); ++row)
         y1[(t->primy[j] + row) * MAGGI_WIDTH] += rhs[t->primrow[j] + row];
     }
     maggi_solve_island(t->islrow[k + 1] - t->islrow[k], t->isldep[k + 1] - t->isldep[k],

@@ -66,6 +66,7 @@ void maggi_point_accelerations(const maggi_topo *t, int begin, int end,
 void maggi_loop_residual(const maggi_topo *t, const double prim0[t->nprim],
                          const double r[t->npoint][3], const double dir[t->ndir][3],
                          double res[t->nrow]);
+int maggi_prim_rows(int kind); /* 3 or 1 */
 void maggi_prim_entry(int kind, int side, double length, const double b[6], const double ra[3],
                       const double rb[3], const double da[3], const double db[3], double e[3]);
 void maggi_loop_entries(const maggi_topo *t, const double prim0[t->nprim],

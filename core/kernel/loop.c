@@ -6,6 +6,11 @@
  */
 #include "kernel.h"
 
+int maggi_prim_rows(int kind)
+{
+  return kind == MAGGI_PRIM_POINT || kind == MAGGI_PRIM_AXIS ? 3 : 1;
+}
+
 static void prim_residual(int kind, int row, double c, const double ra[3], const double rb[3],
                           const double da[3], const double db[3], int nrow, double res[nrow])
 {

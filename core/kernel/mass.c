@@ -8,17 +8,6 @@
  */
 #include "kernel.h"
 
-/* F = IS b */
-static void composite_force(const double I[10], const double b[6], double F[6])
-{
-  F[0] = I[0] * b[0] + b[4] * I[3] - b[5] * I[2];
-  F[1] = I[0] * b[1] + b[5] * I[1] - b[3] * I[3];
-  F[2] = I[0] * b[2] + b[3] * I[2] - b[4] * I[1];
-  F[3] = I[2] * b[2] - I[3] * b[1] + I[4] * b[3] + I[7] * b[4] + I[8] * b[5];
-  F[4] = I[3] * b[0] - I[1] * b[2] + I[7] * b[3] + I[5] * b[4] + I[9] * b[5];
-  F[5] = I[1] * b[1] - I[2] * b[0] + I[8] * b[3] + I[9] * b[4] + I[6] * b[5];
-}
-
 void maggi_mass_matrix(const maggi_topo *t, const double p[t->np], const double b[t->nbody][6],
                        const double r[t->npoint][3], const double IS[t->nbody + 1][10],
                        double Fb[t->nq][6], double rodjac[t->nrodjac][3], double M[t->npair])
@@ -26,7 +15,7 @@ void maggi_mass_matrix(const maggi_topo *t, const double p[t->np], const double 
   int i, k, a, c;
 
   for (i = 0; i < t->nq; ++i)
-    composite_force(IS[t->qbody[i]], b[t->qbody[i]], Fb[i]);
+    maggi_inertia_mul(IS[t->qbody[i]], b[t->qbody[i]], Fb[i]);
   for (i = 0; i < t->nq; ++i)
     for (k = t->pairadr[i]; k < t->pairadr[i + 1]; ++k)
       M[k] = maggi_dot6(b[t->qbody[t->pairj[k]]], Fb[i]);

@@ -27,11 +27,6 @@ static void solve_factor(int n, int adr, int nchol, const double chol[nchol], in
   }
 }
 
-static int prim_rows(int kind)
-{
-  return kind == MAGGI_PRIM_POINT || kind == MAGGI_PRIM_AXIS ? 3 : 1;
-}
-
 void maggi_loop_multipliers(const maggi_topo *t, const double prim0[t->nprim],
                             const double r[t->npoint][3], const double dir[t->ndir][3],
                             const double b[t->nbody][6], const double phi[t->nphi],
@@ -49,7 +44,7 @@ void maggi_loop_multipliers(const maggi_topo *t, const double prim0[t->nprim],
     solve_factor(n, t->islchol[k], t->nchol, chol, t->isldep[k], t->dep, t->nq, wd);
     for (i = t->islprim[k]; i < t->islprim[k + 1]; ++i) {
       j = t->primorder[i];
-      for (row = 0; row < prim_rows(t->primkind[j]); ++row) {
+      for (row = 0; row < maggi_prim_rows(t->primkind[j]); ++row) {
         s = 0.0;
         for (c = 0; c < n; ++c)
           s += phi[t->islphi[k] + (t->primy[j] + row - t->islrow[k]) * n + c] *
@@ -64,7 +59,7 @@ void maggi_loop_multipliers(const maggi_topo *t, const double prim0[t->nprim],
         maggi_prim_entry(t->primkind[j], t->pathside[c], prim0[j], b[t->qbody[t->pathq[c]]],
                          r[t->primpa[j]], r[t->primpb[j]], dir[t->primda[j]], dir[t->primdb[j]],
                          e);
-        for (row = 0; row < prim_rows(t->primkind[j]); ++row)
+        for (row = 0; row < maggi_prim_rows(t->primkind[j]); ++row)
           wd[t->pathq[c]] -= e[row] * lambda[t->primrow[j] + row];
       }
     }

@@ -31,6 +31,17 @@ void maggi_point_rate(const double Z[6], const double r[3], double c[3])
   c[2] = Z[2] + Z[3] * r[1] - Z[4] * r[0];
 }
 
+/* momentum (m s + w × h, h × s + J w) of an inertia m, h, J xx yy zz xy xz yz */
+void maggi_inertia_mul(const double I[10], const double Z[6], double H[6])
+{
+  H[0] = I[0] * Z[0] + Z[4] * I[3] - Z[5] * I[2];
+  H[1] = I[0] * Z[1] + Z[5] * I[1] - Z[3] * I[3];
+  H[2] = I[0] * Z[2] + Z[3] * I[2] - Z[4] * I[1];
+  H[3] = I[2] * Z[2] - I[3] * Z[1] + I[4] * Z[3] + I[7] * Z[4] + I[8] * Z[5];
+  H[4] = I[3] * Z[0] - I[1] * Z[2] + I[7] * Z[3] + I[5] * Z[4] + I[9] * Z[5];
+  H[5] = I[1] * Z[1] - I[2] * Z[0] + I[8] * Z[3] + I[9] * Z[4] + I[6] * Z[5];
+}
+
 void maggi_wrench_add(const double force[3], const double r[3], double F[6])
 {
   F[0] += force[0];

@@ -35,5 +35,16 @@ struct maggi_builder {
 
 /* Sets the message and returns status. */
 maggi_status maggi_builder_fail(maggi_builder *b, maggi_status status, const char *format, ...);
+/* The same for what is wrong with an entry: `section.name: text`. */
+maggi_status maggi_fail_at(maggi_builder *b, const char *section, const char *name,
+                           const char *format, ...);
+
+/* check.c */
+int maggi_all_finite(const double *a, int n);
+maggi_status maggi_check_name(maggi_builder *b, const char *section, const char *name);
+#define X(kind, section)                                                                           \
+  maggi_status maggi_check_##kind(maggi_builder *b, const maggi_##kind##_def *def);
+MAGGI_BUILDER_LIST(X)
+#undef X
 
 #endif

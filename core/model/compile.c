@@ -147,6 +147,13 @@ maggi_status maggi_compile_function(maggi_compile *c, const char *section, const
                             name, function);
 }
 
+int maggi_least_axis(const double a[3])
+{
+  double x = a[0] * a[0], y = a[1] * a[1], z = a[2] * a[2];
+
+  return x <= y && x <= z ? 0 : y <= z ? 1 : 2;
+}
+
 /* points are shared when body and address agree */
 int maggi_compile_point(maggi_compile *c, int body, int adr)
 {

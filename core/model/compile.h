@@ -42,6 +42,9 @@ maggi_status maggi_compile_function(maggi_compile *c, const char *section, const
                                     const char *function, int *id);
 int maggi_compile_point(maggi_compile *c, int body, int adr);
 
+/* Global axis that a leans on least: 0, 1, 2. */
+int maggi_least_axis(const double a[3]);
+
 maggi_status maggi_compile_tree(maggi_compile *c);
 maggi_status maggi_compile_functions(maggi_compile *c);
 maggi_status maggi_compile_loops(maggi_compile *c);

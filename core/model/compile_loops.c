@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "compile.h"
+#include "kernel.h"
 
 static int push_direction(maggi_compile *c, int body, int kind, int adr, int aux)
 {
@@ -27,14 +28,7 @@ static void push_prim(maggi_compile *c, int kind, int ba, int bb, int pa, int pb
   PUSH(primdb, db);
   PUSH(primadr, adr);
   PUSH(primrow, c->t->nrow);
-  c->t->nrow += kind == MAGGI_PRIM_POINT || kind == MAGGI_PRIM_AXIS ? 3 : 1;
-}
-
-static int least_axis(const double a[3])
-{
-  double x = a[0] * a[0], y = a[1] * a[1], z = a[2] * a[2];
-
-  return x <= y && x <= z ? 0 : y <= z ? 1 : 2;
+  c->t->nrow += maggi_prim_rows(kind);
 }
 
 static void push_loop(maggi_compile *c, const maggi_loop_def *d, int ba, int bb)
@@ -64,7 +58,7 @@ static void push_loop(maggi_compile *c, const maggi_loop_def *d, int ba, int bb)
   if (d->type == MAGGI_LOOP_UNIVERSAL)
     push_prim(c, MAGGI_PRIM_ANGLE, ba, bb, pta, ptb, da, db, -1);
   if (d->type >= MAGGI_LOOP_CYLINDRICAL) {
-    k = least_axis(d->has_b ? d->axis_b : d->axis_a);
+    k = maggi_least_axis(d->has_b ? d->axis_b : d->axis_a);
     vb = push_direction(c, bb, MAGGI_DIR_ACROSS_GLOBAL, ab, k);
     wb = push_direction(c, bb, MAGGI_DIR_NORMAL_GLOBAL, ab, k);
     push_prim(c, MAGGI_PRIM_PLANE, ba, bb, pta, ptb, da, vb, -1);
@@ -72,7 +66,7 @@ static void push_loop(maggi_compile *c, const maggi_loop_def *d, int ba, int bb)
     push_prim(c, MAGGI_PRIM_ANGLE, ba, bb, pta, ptb, da, vb, -2);
     push_prim(c, MAGGI_PRIM_ANGLE, ba, bb, pta, ptb, da, wb, -2);
     if (d->type == MAGGI_LOOP_PRISMATIC) {
-      va = push_direction(c, ba, MAGGI_DIR_ACROSS_GLOBAL, aa, least_axis(d->axis_a));
+      va = push_direction(c, ba, MAGGI_DIR_ACROSS_GLOBAL, aa, maggi_least_axis(d->axis_a));
       push_prim(c, MAGGI_PRIM_ANGLE, ba, bb, pta, ptb, va, wb, -1);
     }
   }

@@ -52,13 +52,6 @@ static int is_zero(const double a[3])
   return a[0] == 0.0 && a[1] == 0.0 && a[2] == 0.0;
 }
 
-static int least_axis(const double a[3])
-{
-  double x = a[0] * a[0], y = a[1] * a[1], z = a[2] * a[2];
-
-  return x <= y && x <= z ? 0 : y <= z ? 1 : 2;
-}
-
 static void add_parameters(maggi_compile *c, const maggi_body_def *d, addresses *adr)
 {
   static const char *const tensor[] = {"xx", "yy", "zz", "xy", "xz", "yz"};
@@ -172,7 +165,7 @@ static void push_joint(maggi_compile *c, const maggi_body_def *d, const addresse
     aux = adr->axis2;
     if (aux < 0) {
       kind = kind == MAGGI_DIR_ACROSS ? MAGGI_DIR_ACROSS_GLOBAL : MAGGI_DIR_NORMAL_GLOBAL;
-      aux = least_axis(d->axis);
+      aux = maggi_least_axis(d->axis);
     }
   }
   PUSH(joint, l->kind);
