@@ -1,7 +1,8 @@
 /* Which models ship, where they are found, and the command that lists them.
  *
  * A model NAME is DIR/NAME.yaml or DIR/NAME/NAME.yaml, in the first of these DIR that has it:
- * $MAGGI_MODELS, the models of the source tree, the installed models.
+ * $MAGGI_MODELS, the models of the source tree, those installed beside the command (an installation
+ * may be moved), those installed where it was configured.
  */
 #include "models.h"
 
@@ -12,6 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include "commands.h"
 #include "json.h"
@@ -27,10 +29,23 @@
 #endif
 
 #define GENERATED   "multiple-four-bar"
-#define NDIRECTORY  3
+#define NDIRECTORY  4
+#define BESIDE      "/../share/maggi/models"
 #define MESSAGE_MAX 1024
 
-static const char *directory(int i)
+/* Models beside the directory of this program, "" where the system does not say where that is. */
+static const char *beside_program(char path[MODELS_PATH_MAX])
+{
+  ssize_t n = readlink("/proc/self/exe", path, MODELS_PATH_MAX - sizeof BESIDE);
+  char *slash;
+
+  path[n > 0 ? n : 0] = '\0';
+  slash = strrchr(path, '/');
+  if (slash) strcpy(slash, BESIDE);
+  return path;
+}
+
+static const char *directory(int i, char path[MODELS_PATH_MAX])
 {
   const char *named;
 
@@ -38,6 +53,7 @@ static const char *directory(int i)
     named = getenv("MAGGI_MODELS");
     return named ? named : "";
   }
+  if (i == 2) return beside_program(path);
   return i == 1 ? MAGGI_MODELS_DIR : MAGGI_MODELS_INSTALL_DIR;
 }
 
@@ -58,11 +74,12 @@ static int ends_with(const char *text, const char *end)
 /* File of the shipped model `name`: 1, or 0 if there is none. */
 static int find_shipped(const char *name, char path[MODELS_PATH_MAX])
 {
+  char beside[MODELS_PATH_MAX];
   const char *dir;
   int i, n;
 
   for (i = 0; i < NDIRECTORY; ++i) {
-    dir = directory(i);
+    dir = directory(i, beside);
     if (dir[0] == '\0') continue;
     n = snprintf(path, MODELS_PATH_MAX, "%s/%s.yaml", dir, name);
     if (n < MODELS_PATH_MAX && is_file(path)) return 1;
@@ -139,7 +156,8 @@ static int compare_names(const void *a, const void *b)
 /* Names of all shipped models in alphabetical order: exit status. */
 static int list_shipped(names *list)
 {
-  const char *own = directory(0);
+  char beside[MODELS_PATH_MAX];
+  const char *own = directory(0, beside), *dir;
   struct stat s;
   int i;
 
@@ -149,9 +167,10 @@ static int list_shipped(names *list)
     return message_fail(STATUS_FAILED, "MAGGI_MODELS: %s: %s", own, strerror(errno));
   if (own[0] && !S_ISDIR(s.st_mode))
     return message_fail(STATUS_FAILED, "MAGGI_MODELS: %s: %s", own, strerror(ENOTDIR));
-  for (i = 0; i < NDIRECTORY; ++i)
-    if (directory(i)[0] && names_scan(list, directory(i)))
-      return message_fail(STATUS_FAILED, "out of memory");
+  for (i = 0; i < NDIRECTORY; ++i) {
+    dir = directory(i, beside);
+    if (dir[0] && names_scan(list, dir)) return message_fail(STATUS_FAILED, "out of memory");
+  }
   if (list->number > 0) qsort(list->name, list->number, sizeof *list->name, compare_names);
   return STATUS_DONE;
 }
