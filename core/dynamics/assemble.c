@@ -176,6 +176,7 @@ static maggi_status complete(maggi_data *d, double time)
   d->changes = d->projections = d->evaluations = 0;
   d->replan_below = 0.2;
   d->is_ahead = 0;
+  d->careless = 0;
   maggi_evaluate(d, time);
   d->pivot_ratio = d->stage_ratio;
   status = maggi_check(d, time);

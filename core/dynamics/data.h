@@ -116,6 +116,7 @@ struct maggi_data {
   maggi_node start;    /* of the last Runge-Kutta step: q0, v0, a0 */
   maggi_node node;     /* its end: qn, vn, an; later than the state of `time` if is_ahead */
   int is_ahead;
+  int careless;        /* steps still taken without care at singular positions */
   double replan_below; /* pivot ratio at which a better choice is looked for */
   int ready;           /* after a successful reset */
   int fresh;           /* results of this state computed */

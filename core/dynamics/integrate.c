@@ -25,7 +25,10 @@ static const double first_part[] = {0.6180339887, 0.3819660113, 0.8, 0.2};
 static const double beyond[] = {0.13, 0.21, 0.34, 0.55, 0.77, 1.0, 1.3, 1.7, 2.2, 3.0, 4.0,
                                 5.5,  7.0,  9.0,  12.0, 16.0, 22.0, 30.0, 42.0, 60.0};
 
-enum { SINGULAR = -1 }; /* instead of a status: a stage fell on a singular position */
+enum {
+  SINGULAR = -1,       /* instead of a status: a stage fell on a singular position */
+  CARELESS_STEPS = 32, /* without care after no way around was found: the motion stays there */
+};
 
 static size_t bytes(const maggi_data *d)
 {
@@ -258,13 +261,16 @@ maggi_status maggi_step(maggi_data *d, double h)
   d->ready = 0;
   save_start(d, d->time);
   rest = time - d->time;
-  status = advance(d, rest, 1);
+  d->careless -= d->careless > 0;
+  status = advance(d, rest, d->careless == 0);
   if (status == SINGULAR)
     status = advance_in_parts(d, rest);
   if (status == SINGULAR)
     status = advance_beyond(d, rest);
-  if (status == SINGULAR)
+  if (status == SINGULAR) {
+    d->careless = CARELESS_STEPS;
     status = advance(d, rest, 0);
+  }
   if (status != MAGGI_OK)
     return (maggi_status)status;
   d->time = time;

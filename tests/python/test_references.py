@@ -280,3 +280,29 @@ def test_multiple_four_bar_reference_file(maggi, reference):
     for row in range(1, 16):
         angle = angle + columns[f"v_{row}_1.q"]
         assert numpy.max(abs(angle - ref[f"th{row}"])) < 1e-8, row
+
+
+# P3 of A04 and s of A05, by the independent programs of models/README.md
+BRICARD = {
+    1.0: (0.274481319, -0.886707939, -0.462330003),
+    2.0: (-0.778135373, -0.980352683, -0.197252671),
+    5.0: (0.999932742, -0.999999998, -0.000067255),
+    10.0: (0.999730987, -0.999999964, -0.000268977),
+}
+GOVERNOR = {0.1: 0.5238364756, 0.2: 0.5850798118, 0.5: 0.7432494248, 1.0: 0.5014209224}
+
+
+def test_bricard(maggi):
+    """An overconstrained loop: six equations of rank four, one degree of freedom."""
+    columns = maggi.simulate("bricard", 10.0, 1e-3, 1000, energy=True)
+    for time, position in BRICARD.items():
+        for axis, value in zip("xyz", position):
+            assert abs(columns[f"P3.{axis}"][round(time)] - value) < 2e-9
+    energy = columns["energy.total"]
+    assert numpy.max(abs(energy - energy[0])) < 1e-9 * abs(energy[0])
+
+
+def test_flyball_governor(maggi):
+    columns = maggi.simulate("flyball-governor", 1.0, 1e-4, 1000)
+    for time, s in GOVERNOR.items():
+        assert abs(0.5 + columns["slider.q"][round(10.0 * time)] - s) < 1e-9
