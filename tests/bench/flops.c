@@ -1,0 +1,269 @@
+/* Flops of the loops of core/kernel, function by function.  `bench flops` compares them with what
+ * is executed; after a change of the kernel it says which function here has to follow. */
+#include "flops.h"
+
+#include <string.h>
+
+#include "maggi/maggi.h"
+
+/* building blocks of vec.c */
+enum {
+  DOT = 5,
+  DOT6 = 11,
+  CROSS = 9,
+  MUL = 15,         /* 3 x 3 times vector */
+  POINT_RATE = 12,  /* s + w x r */
+  WRENCH_ADD = 15,
+  INERTIA_MUL = 42  /* I Z */
+};
+
+/* columns that a loop over begin..end by blocks of `width` touches */
+static long columns(int begin, int end, int width)
+{
+  int from = begin / width * width;
+
+  return end > from ? (long)(end - from + width - 1) / width * width : 0;
+}
+
+static int rows_of(int kind)
+{
+  return kind == MAGGI_PRIM_POINT || kind == MAGGI_PRIM_AXIS ? 3 : 1;
+}
+
+/* time-dependent ones as if t were inside their interval; pow is not counted */
+static long function(int kind, int n)
+{
+  switch (kind) {
+  case MAGGI_FUNCTION_POLYNOMIAL:
+    return 5L * (n - 1) + 4L * (n > 2 ? n - 2 : 0);
+  case MAGGI_FUNCTION_SINE:
+    return 13;
+  case MAGGI_FUNCTION_STEP:
+  case MAGGI_FUNCTION_KNOTS:
+    return 32;
+  case MAGGI_FUNCTION_SPLINE:
+    return 37;
+  default:
+    return 0;
+  }
+}
+
+static void positions(const maggi_topo *t, long f[])
+{
+  int i;
+
+  for (i = 0; i < t->nfun; ++i)
+    f[STAGED_maggi_functions] += function(t->funkind[i], t->funn[i]);
+  f[STAGED_maggi_positions] += 6L * t->nbase;
+  for (i = 0; i < t->nbody; ++i) {
+    if (t->joint[i] == MAGGI_ONE_REVOLUTE) /* sin cos, Rot, Ap Rot, offset and axis, x x u */
+      f[STAGED_maggi_positions] += 2 + 28 + 45 + 2 * MUL + 3 + CROSS;
+    else if (t->joint[i] == MAGGI_ONE_PRISMATIC)
+      f[STAGED_maggi_positions] += 2 * MUL + 9;
+    else
+      f[STAGED_maggi_positions] += MUL + 3;
+  }
+  f[STAGED_maggi_points] += (MUL + 3L) * t->npointdyn;
+  f[STAGED_maggi_directions] += (long)MUL * t->ndir;
+}
+
+static long residual(int kind)
+{
+  switch (kind) {
+  case MAGGI_PRIM_POINT:
+    return 3;
+  case MAGGI_PRIM_AXIS:
+    return 3 + 3;
+  case MAGGI_PRIM_ANGLE:
+    return 3 + DOT + 1;
+  case MAGGI_PRIM_PLANE:
+    return 3 + DOT;
+  default:
+    return 3 + DOT + 4;
+  }
+}
+
+static long entry(int kind)
+{
+  switch (kind) {
+  case MAGGI_PRIM_POINT:
+    return POINT_RATE + 3;
+  case MAGGI_PRIM_AXIS:
+    return CROSS + 3;
+  case MAGGI_PRIM_ANGLE:
+    return CROSS + DOT + 1;
+  case MAGGI_PRIM_PLANE:
+    return POINT_RATE + DOT + 1;
+  default:
+    return POINT_RATE + 3 + DOT + 2;
+  }
+}
+
+static long gamma_of(int kind)
+{
+  const long rates = 2 * (3 * CROSS + 3);
+
+  switch (kind) {
+  case MAGGI_PRIM_POINT:
+    return 9;
+  case MAGGI_PRIM_AXIS:
+    return 9 + rates + 3;
+  case MAGGI_PRIM_ROD:
+    return 9 + 2 * DOT + 2;
+  default:
+    return 9 + rates + 3 * DOT + 3;
+  }
+}
+
+/* rate of a building block for n columns */
+static long rate(int kind, long n)
+{
+  switch (kind) {
+  case MAGGI_PRIM_POINT:
+    return 27 * n;
+  case MAGGI_PRIM_AXIS:
+    return 21 * n;
+  case MAGGI_PRIM_ROD:
+    return 6 + 2 * CROSS + 20 * n;
+  default:
+    return 2 * CROSS + 20 * n;
+  }
+}
+
+/* least squares with m rows and n unknowns, refined once, for one column */
+static long least_squares(long m, long n)
+{
+  return 6 * m * n + 4 * n * n + 2 * n;
+}
+
+static void loops(const maggi_topo *t, int width, long f[])
+{
+  long m, n, j;
+  int i, k, kind;
+
+  for (i = 0; i < t->nprim; ++i) {
+    f[STAGED_maggi_loop_residual] += residual(t->primkind[i]);
+    if (t->ndep > 0)
+      f[STAGED_maggi_loop_gamma] += gamma_of(t->primkind[i]);
+  }
+  for (i = 0; i < t->nent; ++i)
+    f[STAGED_maggi_loop_entries] += entry(t->primkind[t->entprim[i]]);
+  for (k = 0; k < t->nisland; ++k) {
+    m = t->islrow[k + 1] - t->islrow[k];
+    n = t->isldep[k + 1] - t->isldep[k];
+    f[STAGED_maggi_island_factors] += n * (n + 1) * m; /* Phi^T Phi */
+    for (j = 0; j < n; ++j)                            /* its factor */
+      f[STAGED_maggi_island_factors] += j * (j - 1) + j + 2 * j + 2;
+    for (i = t->islvop[k]; i < t->islvop[k + 1]; ++i) {
+      j = t->vopdst[i];
+      f[STAGED_maggi_island_columns] += 12 * columns(t->vrowbeg[j], t->vrowend[j], width);
+      f[STAGED_maggi_island_vector] += 12 * width;
+    }
+    for (i = t->islprim[k]; i < t->islprim[k + 1]; ++i) {
+      kind = t->primkind[t->primorder[i]];
+      f[STAGED_maggi_island_columns] += rate(kind, columns(t->islbeg[k], t->islend[k], width));
+      f[STAGED_maggi_island_vector] += rate(kind, width) + rows_of(kind);
+    }
+    f[STAGED_maggi_island_columns] +=
+        least_squares(m, n) * columns(t->islbeg[k], t->islend[k], width);
+    f[STAGED_maggi_island_vector] += least_squares(m, n) * width;
+  }
+  f[STAGED_maggi_island_factors] += t->ndep > 0 ? t->ndep + 2 : 1; /* smallest pivot */
+}
+
+static void velocities(const maggi_topo *t, long f[])
+{
+  int passes = (t->ndep > 0) + (t->nrod > 0);
+
+  f[STAGED_maggi_velocities] += 54L * t->nq;
+  f[STAGED_maggi_point_velocities] += (long)POINT_RATE * t->npointdyn;
+  f[STAGED_maggi_point_accelerations] += passes * (POINT_RATE + 12L) * t->npointdyn;
+  if (t->ndep > 0)
+    f[STAGED_maggi_accelerations] += 12L * t->nq + 12L * t->nbody;
+}
+
+static void elements(const maggi_topo *t, long f[])
+{
+  long n = 0;
+  int i;
+
+  for (i = 0; i < t->nspring; ++i) /* slopes as if below the knees */
+    n += 60 + 2 + (t->springpreload[i] ? 1 : 0) + (t->springslopes[i] ? 2 : 0);
+  for (i = 0; i < t->njspring; ++i)
+    n += t->jspringq2[i] >= 0 ? 12 : 9;
+  for (i = 0; i < t->nforce; ++i) {
+    if (t->forcekind[i] == MAGGI_FORCE_JOINT) {
+      n += 5;
+      continue;
+    }
+    n += 3;
+    if (t->forcekind[i] == MAGGI_FORCE_BODY || t->forcekind[i] == MAGGI_TORQUE_BODY)
+      n += MUL;
+    n += t->forcepoint[i] >= 0 ? 2 * WRENCH_ADD + 2 * POINT_RATE + 2 * DOT + 2 : 6 + 8 + 1;
+  }
+  f[STAGED_maggi_element_forces] += n;
+}
+
+static void inertias(const maggi_topo *t, long f[])
+{
+  f[STAGED_maggi_body_inertias] += (MUL + 9L + DOT + 45 + 6 + 24 + 30) * t->nmassive;
+  f[STAGED_maggi_inertia_forces] += (2L * INERTIA_MUL + 36) * t->nmassive;
+  f[STAGED_maggi_rod_forces] += 2L * (6 + WRENCH_ADD) * t->nrod;
+  f[STAGED_maggi_accumulate] += 6L * (t->nbody + 1) + 6L * t->nbody;
+  f[STAGED_maggi_composite_inertias] += 10L * t->nbody + 47L * t->nrod;
+}
+
+static void mass_matrix(const maggi_topo *t, int width, long f[])
+{
+  long n;
+  int i, c, k;
+
+  f[STAGED_maggi_mass_matrix] += (long)INERTIA_MUL * t->nq + (long)DOT6 * t->ntreepair +
+                                 (long)POINT_RATE * t->nrodjac + (DOT + 3L) * t->nrodpair;
+  n = t->nii + t->nid;
+  for (i = 0; i < t->ndd; ++i) {
+    k = t->ddsrc[i];
+    n += 2 * columns(t->rbeg[k], t->rend[k], width) + (t->dddst[i] == k);
+  }
+  for (i = 0; i < t->ndep; ++i) {
+    k = t->dep[i];
+    for (c = t->zbeg[k]; c < t->rbeg[k]; ++c)
+      n += 2 * columns(t->rbeg[k], t->rend[k], width);
+    for (c = t->rbeg[k]; c < t->rend[k]; ++c)
+      n += 2 * columns(c, t->zend[k], width) + 2 * columns(c, t->rend[k], width);
+  }
+  f[STAGED_maggi_reduced_mass] += n;
+}
+
+static void solve(const maggi_topo *t, int width, long f[])
+{
+  long n = t->nind;
+  int i, k;
+
+  f[STAGED_maggi_reduced_force] += (DOT6 + 1L) * t->nq;
+  for (i = 0; i < t->ndep; ++i) {
+    k = t->dep[i];
+    f[STAGED_maggi_reduced_force] += 2L * (t->rend[k] - t->rbeg[k]);
+    f[STAGED_maggi_expand] += 2 * 2L * (t->rend[k] - t->rbeg[k]); /* velocities, accelerations */
+  }
+  for (k = 0; k < n; ++k) {
+    f[STAGED_maggi_factor_mass] += 2 + columns(k, (int)n, width);
+    for (i = k + 1; i < n; ++i)
+      if (t->first[i] <= k)
+        f[STAGED_maggi_factor_mass] += 2 * columns(i, (int)n, width);
+  }
+  f[STAGED_maggi_solve_mass] += 2 * n * (t->ncol - n) + 2 * n * (n - 1) + 3 * n;
+  f[STAGED_maggi_drives] += (2L * t->ncol + 2) * t->nguide;
+}
+
+void flops_derive(const maggi_topo *t, int width, long flops[STAGED_COUNT])
+{
+  memset(flops, 0, STAGED_COUNT * sizeof *flops);
+  positions(t, flops);
+  loops(t, width, flops);
+  velocities(t, flops);
+  elements(t, flops);
+  inertias(t, flops);
+  mass_matrix(t, width, flops);
+  solve(t, width, flops);
+}
