@@ -22,7 +22,7 @@ static void newton_step(maggi_data *d)
   for (i = 0; i < t->nrow; ++i)
     d->gam[i] = -d->res[i];
   maggi_island_vector(t, d->prim0, (void *)d->r, (void *)d->dir, (void *)d->b,
-                      d->phi, d->chol, d->gam, d->v1, d->y1, d->x1, d->work8, d->dq);
+                      d->phi, d->chol, d->gam, d->v1, d->y1, d->dq, d->space);
 }
 
 static void move(maggi_data *d, double factor)
@@ -108,6 +108,37 @@ static maggi_status assemble(maggi_data *d, double time, int avoid)
     }
   }
   return violation <= d->tolerance ? MAGGI_OK : fail_assembly(d, violation);
+}
+
+/* The independent coordinates go to where they were asked for, the others close the loops around
+ * them; left as assembled where that cannot be done. */
+static void settle(maggi_data *d, double time, const double *asked)
+{
+  const maggi_topo *t = &d->t;
+  double violation = INFINITY;
+  int i, n;
+
+  memcpy(d->dus, d->q, (size_t)t->nq * sizeof(double));
+  for (i = 0; i < t->nind; ++i)
+    d->q[t->colq[i]] = asked[t->colq[i]];
+  maggi_evaluate_positions(d, time);
+  for (n = 0; n < PROJECTION_ITERATIONS; ++n) {
+    violation = maggi_violation(d);
+    if (!(violation > roundoff(d)))
+      break;
+    maggi_evaluate_factors(d);
+    newton_step(d);
+    if (!(largest_move(d) < assembly_step))
+      break;
+    remember(d);
+    move(d, 1.0);
+    maggi_evaluate_positions(d, time);
+  }
+  if (!(violation <= d->tolerance)) {
+    memcpy(d->q, d->dus, (size_t)t->nq * sizeof(double));
+    maggi_evaluate_positions(d, time);
+  }
+  maggi_evaluate_factors(d);
 }
 
 static const char *coordinate_name(const maggi_data *d, int q)
@@ -199,11 +230,13 @@ maggi_status maggi_data_reset(maggi_data *d)
   for (i = 0; i < d->t.nq; ++i)
     if (m->initial_position[i] >= 0)
       d->q[i] = d->p[m->initial_position[i]];
+  memcpy(d->dqs, d->q, (size_t)d->t.nq * sizeof(double));
   status = assemble(d, 0.0, MAGGI_KEEP_POSITION);
   if (status == MAGGI_OK)
     status = maggi_plan(d, MAGGI_AVOID_VELOCITY, 0.1);
   if (status != MAGGI_OK)
     return status;
+  settle(d, 0.0, d->dqs);
   for (i = 0; i < d->t.nind; ++i) {
     q = d->t.colq[i];
     d->vcol[i] = d->velocity_given[q] ? d->p[m->initial_velocity[q]] : 0.0;
@@ -236,11 +269,13 @@ maggi_status maggi_data_set_state(maggi_data *d, double t, const double *q, cons
     d->q[m->coordinate[i].q] = q[i];
     d->v[m->coordinate[i].q] = v[i];
   }
+  memcpy(d->dqs, d->q, (size_t)d->t.nq * sizeof(double));
   status = assemble(d, t, 0);
   if (status == MAGGI_OK)
     status = maggi_plan(d, 0, 0.1);
   if (status != MAGGI_OK)
     return status;
+  settle(d, t, d->dqs);
   for (i = 0; i < d->t.nind; ++i)
     d->vcol[i] = d->v[d->t.colq[i]];
   return complete(d, t);

@@ -33,12 +33,8 @@ static size_t size_of(const char *name, const maggi_topo *t)
 {
   if (strcmp(name, "nbody1") == 0)
     return (size_t)t->nbody + 1;
-  if (strcmp(name, "nq8") == 0)
-    return (size_t)t->nq * MAGGI_WIDTH;
   if (strcmp(name, "nq16") == 0)
     return (size_t)t->nq * MAGGI_WIDTH * 2;
-  if (strcmp(name, "nrow8") == 0)
-    return (size_t)t->nrow * MAGGI_WIDTH;
 #define X(size, text)                                                                              \
   if (strcmp(name, #size) == 0)                                                                    \
     return (size_t)t->size;
@@ -129,8 +125,6 @@ maggi_status maggi_data_fit(maggi_data *d)
     d->R[t->colq[i] * t->stride + i] = 1.0;
   memset(d->ab, 0, (size_t)t->nq * sizeof(double));
   memset(d->dq, 0, (size_t)t->nq * sizeof(double));
-  memset(d->x1, 0, (size_t)t->nq * MAGGI_WIDTH * sizeof(double));
-  memset(d->y1, 0, (size_t)t->nrow * MAGGI_WIDTH * sizeof(double));
   return MAGGI_OK;
 }
 
@@ -150,6 +144,8 @@ maggi_status maggi_data_set_parameter(maggi_data *d, int index, double value)
     return maggi_data_fail(d, MAGGI_E_VALUE, "%s must be finite", p->path);
   if (p->bound == MAGGI_BOUND_NOT_NEGATIVE && value < 0.0)
     return maggi_data_fail(d, MAGGI_E_VALUE, "%s must not be negative (%g)", p->path, value);
+  if (p->bound == MAGGI_BOUND_NOT_POSITIVE && value > 0.0)
+    return maggi_data_fail(d, MAGGI_E_VALUE, "%s must not be positive (%g)", p->path, value);
   if (p->bound == MAGGI_BOUND_POSITIVE && value <= 0.0)
     return maggi_data_fail(d, MAGGI_E_VALUE, "%s must be positive (%g)", p->path, value);
   d->p[index] = value;

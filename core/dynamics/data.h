@@ -55,8 +55,7 @@
   X(zero, nq, "zeros")                                                                            \
   X(res, nrow, "loop equations")                                                                  \
   X(gam, nrow, "their second derivative with joint accelerations zero, with a minus")             \
-  X(y1, nrow8, "right-hand sides of islands, one column in a block")                              \
-  X(x1, nq8, "its solution")                                                                      \
+  X(y1, nrow, "right-hand sides of islands, one column")                                          \
   X(ab, nq, "dependent accelerations with independent ones zero")                                 \
   X(dq, nq, "correction of positions")                                                            \
   X(M, npair, "mass matrix by pairs")                                                             \
@@ -67,7 +66,7 @@
   X(fr, nq, "reduced forces")                                                                     \
   X(dinv, nq, "inverse pivots of the reduced mass matrix")                                        \
   X(drive, nq, "torques and forces of guides by columns")                                         \
-  X(work8, nq16, "work space of solves")                                                          \
+  X(space, nq16, "work space of solves")                                                          \
   X(w, nq, "forces not balanced by inertia")                                                      \
   X(wd, nq, "the same less those of loops")                                                       \
   X(lambda, nrow, "multipliers")                                                                  \
@@ -88,7 +87,7 @@
   X(phi, nphi, "blocks of Phi_d")                                                                 \
   X(chol, nchol, "factors of Phi_d^T Phi_d")                                                      \
   X(V, nvrow * 6 * t->stride, "velocities of bodies by columns")                                  \
-  X(v1, nvrow * 6 * MAGGI_WIDTH, "the same, one column in a block")                               \
+  X(v1, nvrow * 6, "the same, one column")                                                        \
   X(Y, nrow * t->stride, "right-hand sides of islands by columns")                                \
   X(R, nq * t->stride, "R_z")                                                                     \
   X(MR, nq * t->stride, "M R_z, part")                                                            \

@@ -50,7 +50,7 @@ void maggi_evaluate_velocities(maggi_data *d)
   for (i = t->nind; i < t->ncol; ++i)
     d->vcol[i] = d->fun[t->qguide[t->colq[i]]][1];
   maggi_island_columns(t, d->prim0, ARRAY(d->r), ARRAY(d->dir), ARRAY(d->b), d->phi, d->chol, d->V,
-                       d->Y, d->R, d->work8);
+                       d->Y, d->R, d->space);
   maggi_expand(t, d->R, d->vcol, d->zero, d->v);
   maggi_velocities(t, d->p, ARRAY(d->b), d->v, d->Z, d->Z0);
   maggi_point_velocities(t, 0, t->npointdyn, ARRAY(d->r), ARRAY(d->Z), d->rv);
@@ -68,7 +68,7 @@ static void accelerate(maggi_data *d)
     maggi_loop_gamma(t, d->prim0, ARRAY(d->r), ARRAY(d->dir), ARRAY(d->rv), ARRAY(d->r0a),
                      ARRAY(d->Z), ARRAY(d->Z0), d->gam);
     maggi_island_vector(t, d->prim0, ARRAY(d->r), ARRAY(d->dir), ARRAY(d->b), d->phi, d->chol,
-                        d->gam, d->v1, d->y1, d->x1, d->work8, d->ab);
+                        d->gam, d->v1, d->y1, d->ab, d->space);
     maggi_accelerations(t, ARRAY(d->b), ARRAY(d->Z0), d->ab, d->W, d->Zb);
   }
   maggi_element_forces(t, d->p, ARRAY(d->fun), d->spring0, d->q, d->v, ARRAY(d->A), ARRAY(d->Z),
@@ -135,7 +135,7 @@ void maggi_evaluate_given(maggi_data *d, double time)
  * best.  Measured by pivots relative to those at the choice of the independent coordinates. */
 int maggi_is_singular(const maggi_data *d)
 {
-  return !(d->stage_ratio > 3e-4);
+  return !(d->stage_ratio > 6e-4);
 }
 
 void maggi_results(maggi_data *d)

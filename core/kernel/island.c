@@ -43,25 +43,26 @@ void maggi_island_factors(const maggi_topo *t, const double phi[t->nphi], double
   }
 }
 
-static void row_update(int dst, int src, int begin, int end, int stride, int q, const double b[6],
-                       int nR, const double R[nR], int nV, double V[nV])
+/* columns begin..end in steps of `width`, which is MAGGI_WIDTH, or 1 for a single column */
+static void row_update(int width, int dst, int src, int begin, int end, int stride, int q,
+                       const double b[6], int nR, const double R[nR], int nV, double V[nV])
 {
   int k, c, i, at, from;
 
-  for (c = begin / MAGGI_WIDTH * MAGGI_WIDTH; c < end; c += MAGGI_WIDTH) {
+  for (c = begin / width * width; c < end; c += width) {
     for (k = 0; k < 6; ++k) {
       at = (dst * 6 + k) * stride + c;
       from = (src * 6 + k) * stride + c;
 #pragma omp simd
-      for (i = 0; i < MAGGI_WIDTH; ++i)
+      for (i = 0; i < width; ++i)
         V[at + i] = V[from + i] + b[k] * R[q * stride + c + i];
     }
   }
 }
 
-/* components l, m, n of the rate of r_a - r_b (or of a - b when linear is 0) for one block:
+/* components l, m, n of the rate of r_a - r_b (or of a - b when linear is 0):
  *   Y = (s_l + w_m r_n - w_n r_m) of b less that of a */
-static void vector_rate(int linear, int row, int l, int m, int n, int a, int b, int k,
+static void vector_rate(int width, int linear, int row, int l, int m, int n, int a, int b, int k,
                         const double ra[3], const double rb[3], int nV, const double V[nV], int nY,
                         double Y[nY])
 {
@@ -73,12 +74,12 @@ static void vector_rate(int linear, int row, int l, int m, int n, int a, int b, 
   bn = b + (3 + n) * k;
   if (linear) {
 #pragma omp simd
-    for (i = 0; i < MAGGI_WIDTH; ++i)
+    for (i = 0; i < width; ++i)
       Y[row + i] = V[b + l * k + i] - V[a + l * k + i] + V[bm + i] * rb[n] - V[bn + i] * rb[m] -
                    V[am + i] * ra[n] + V[an + i] * ra[m];
   } else {
 #pragma omp simd
-    for (i = 0; i < MAGGI_WIDTH; ++i)
+    for (i = 0; i < width; ++i)
       Y[row + i] = V[bm + i] * rb[n] - V[bn + i] * rb[m] - V[am + i] * ra[n] + V[an + i] * ra[m];
   }
 }
@@ -110,7 +111,7 @@ static void row_wrench(int kind, double length, const double ra[3], const double
 }
 
 /* Y = - rate of one building block for the columns of rows va and vb */
-static void prim_rate(int kind, int row, int va, int vb, int begin, int end, int stride,
+static void prim_rate(int width, int kind, int row, int va, int vb, int begin, int end, int stride,
                       double length, const double ra[3], const double rb[3], const double da[3],
                       const double db[3], int nV, const double V[nV], int nY, double Y[nY])
 {
@@ -120,21 +121,21 @@ static void prim_rate(int kind, int row, int va, int vb, int begin, int end, int
   k = stride;
   if (kind != MAGGI_PRIM_POINT && kind != MAGGI_PRIM_AXIS)
     row_wrench(kind, length, ra, rb, da, db, f, ma, mb);
-  for (c = begin / MAGGI_WIDTH * MAGGI_WIDTH; c < end; c += MAGGI_WIDTH) {
+  for (c = begin / width * width; c < end; c += width) {
     a = va * 6 * k + c;
     b = vb * 6 * k + c;
     y = row * k + c;
     if (kind == MAGGI_PRIM_POINT) {
-      vector_rate(1, y, 0, 1, 2, a, b, k, ra, rb, nV, V, nY, Y);
-      vector_rate(1, y + k, 1, 2, 0, a, b, k, ra, rb, nV, V, nY, Y);
-      vector_rate(1, y + 2 * k, 2, 0, 1, a, b, k, ra, rb, nV, V, nY, Y);
+      vector_rate(width, 1, y, 0, 1, 2, a, b, k, ra, rb, nV, V, nY, Y);
+      vector_rate(width, 1, y + k, 1, 2, 0, a, b, k, ra, rb, nV, V, nY, Y);
+      vector_rate(width, 1, y + 2 * k, 2, 0, 1, a, b, k, ra, rb, nV, V, nY, Y);
     } else if (kind == MAGGI_PRIM_AXIS) {
-      vector_rate(0, y, 0, 1, 2, a, b, k, da, db, nV, V, nY, Y);
-      vector_rate(0, y + k, 1, 2, 0, a, b, k, da, db, nV, V, nY, Y);
-      vector_rate(0, y + 2 * k, 2, 0, 1, a, b, k, da, db, nV, V, nY, Y);
+      vector_rate(width, 0, y, 0, 1, 2, a, b, k, da, db, nV, V, nY, Y);
+      vector_rate(width, 0, y + k, 1, 2, 0, a, b, k, da, db, nV, V, nY, Y);
+      vector_rate(width, 0, y + 2 * k, 2, 0, 1, a, b, k, da, db, nV, V, nY, Y);
     } else {
 #pragma omp simd
-      for (i = 0; i < MAGGI_WIDTH; ++i)
+      for (i = 0; i < width; ++i)
         Y[y + i] = f[0] * (V[b + i] - V[a + i]) + f[1] * (V[b + k + i] - V[a + k + i]) +
                    f[2] * (V[b + 2 * k + i] - V[a + 2 * k + i]) + mb[0] * V[b + 3 * k + i] -
                    ma[0] * V[a + 3 * k + i] + mb[1] * V[b + 4 * k + i] -
@@ -148,58 +149,55 @@ void maggi_island_columns(const maggi_topo *t, const double prim0[t->nprim],
                           const double b[t->nbody][6], const double phi[t->nphi],
                           const double chol[t->nchol], double V[t->nvrow * 6 * t->stride],
                           double Y[t->nrow * t->stride], double R[t->nq * t->stride],
-                          double work[t->nq * MAGGI_WIDTH])
+                          double work[t->nq * MAGGI_WIDTH * 2])
 {
   int k, i, j;
 
   for (k = 0; k < t->nisland; ++k) {
     for (i = t->islvop[k]; i < t->islvop[k + 1]; ++i) {
       j = t->vopdst[i];
-      row_update(j, t->vopsrc[i], t->vrowbeg[j], t->vrowend[j], t->stride, t->vopq[i],
-                 b[t->qbody[t->vopq[i]]], t->nq * t->stride, R, t->nvrow * 6 * t->stride, V);
+      row_update(MAGGI_WIDTH, j, t->vopsrc[i], t->vrowbeg[j], t->vrowend[j], t->stride,
+                 t->vopq[i], b[t->qbody[t->vopq[i]]], t->nq * t->stride, R,
+                 t->nvrow * 6 * t->stride, V);
     }
     for (i = t->islprim[k]; i < t->islprim[k + 1]; ++i) {
       j = t->primorder[i];
-      prim_rate(t->primkind[j], t->primy[j], t->primva[j], t->primvb[j], t->islbeg[k],
-                t->islend[k], t->stride, prim0[j], r[t->primpa[j]], r[t->primpb[j]],
-                dir[t->primda[j]], dir[t->primdb[j]], t->nvrow * 6 * t->stride, V,
-                t->nrow * t->stride, Y);
+      prim_rate(MAGGI_WIDTH, t->primkind[j], t->primy[j], t->primva[j], t->primvb[j],
+                t->islbeg[k], t->islend[k], t->stride, prim0[j], r[t->primpa[j]],
+                r[t->primpb[j]], dir[t->primda[j]], dir[t->primdb[j]],
+                t->nvrow * 6 * t->stride, V, t->nrow * t->stride, Y);
     }
-    maggi_solve_island(t->islrow[k + 1] - t->islrow[k], t->isldep[k + 1] - t->isldep[k],
-                       t->islphi[k], phi, t->islchol[k], chol, t->islrow[k], Y, t->stride,
-                       t->islbeg[k], t->islend[k], t->isldep[k], t->dep, R, work);
+    maggi_solve_columns(t->islrow[k + 1] - t->islrow[k], t->isldep[k + 1] - t->isldep[k],
+                        t->islphi[k], phi, t->islchol[k], chol, t->islrow[k], Y, t->stride,
+                        t->islbeg[k], t->islend[k], t->isldep[k], t->dep, R, work);
   }
 }
 
-/* one column with the right-hand side rhs, rows in the order of the loops; x is written for the
- * dependent coordinates and zero elsewhere.  The column is the first of a block. */
+/* rows of rhs in the order of the loops; x is written for the dependent coordinates, zero elsewhere */
 void maggi_island_vector(const maggi_topo *t, const double prim0[t->nprim],
                          const double r[t->npoint][3], const double dir[t->ndir][3],
                          const double b[t->nbody][6], const double phi[t->nphi],
                          const double chol[t->nchol], const double rhs[t->nrow],
-                         double v1[t->nvrow * 6 * MAGGI_WIDTH], double y1[t->nrow * MAGGI_WIDTH],
-                         double x1[t->nq * MAGGI_WIDTH], double work[t->nq * MAGGI_WIDTH],
-                         double x[t->nq])
+                         double v1[t->nvrow * 6], double y1[t->nrow], double x[t->nq],
+                         double work[t->nq * MAGGI_WIDTH * 2])
 {
   int k, i, j, row;
 
   for (k = 0; k < t->nisland; ++k) {
     for (i = t->islvop[k]; i < t->islvop[k + 1]; ++i)
-      row_update(t->vopdst[i], t->vopsrc[i], 0, 1, MAGGI_WIDTH, t->vopq[i],
-                 b[t->qbody[t->vopq[i]]], t->nq * MAGGI_WIDTH, x1, t->nvrow * 6 * MAGGI_WIDTH, v1);
+      row_update(1, t->vopdst[i], t->vopsrc[i], 0, 1, 1, t->vopq[i], b[t->qbody[t->vopq[i]]],
+                 t->nq, x, t->nvrow * 6, v1);
     for (i = t->islprim[k]; i < t->islprim[k + 1]; ++i) {
       j = t->primorder[i];
-      prim_rate(t->primkind[j], t->primy[j], t->primva[j], t->primvb[j], 0, 1, MAGGI_WIDTH,
-                prim0[j], r[t->primpa[j]], r[t->primpb[j]], dir[t->primda[j]], dir[t->primdb[j]],
-                t->nvrow * 6 * MAGGI_WIDTH, v1, t->nrow * MAGGI_WIDTH, y1);
+      prim_rate(1, t->primkind[j], t->primy[j], t->primva[j], t->primvb[j], 0, 1, 1, prim0[j],
+                r[t->primpa[j]], r[t->primpb[j]], dir[t->primda[j]], dir[t->primdb[j]],
+                t->nvrow * 6, v1, t->nrow, y1);
       for (row = 0; row < maggi_prim_rows(t->primkind[j]); ++row)
-        y1[(t->primy[j] + row) * MAGGI_WIDTH] += rhs[t->primrow[j] + row];
+        y1[t->primy[j] + row] += rhs[t->primrow[j] + row];
     }
-    maggi_solve_island(t->islrow[k + 1] - t->islrow[k], t->isldep[k + 1] - t->isldep[k],
-                       t->islphi[k], phi, t->islchol[k], chol, t->islrow[k], y1, MAGGI_WIDTH, 0, 1,
-                       t->isldep[k], t->dep, x1, work);
-    for (i = t->isldep[k]; i < t->isldep[k + 1]; ++i)
-      x[t->dep[i]] = x1[t->dep[i] * MAGGI_WIDTH];
+    maggi_solve_vector(t->islrow[k + 1] - t->islrow[k], t->isldep[k + 1] - t->isldep[k],
+                       t->islphi[k], phi, t->islchol[k], chol, t->islrow[k], y1, t->isldep[k],
+                       t->dep, x, work);
   }
 }
 

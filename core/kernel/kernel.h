@@ -85,14 +85,13 @@ void maggi_island_columns(const maggi_topo *t, const double prim0[t->nprim],
                           const double b[t->nbody][6], const double phi[t->nphi],
                           const double chol[t->nchol], double V[t->nvrow * 6 * t->stride],
                           double Y[t->nrow * t->stride], double R[t->nq * t->stride],
-                          double work[t->nq * MAGGI_WIDTH]);
+                          double work[t->nq * MAGGI_WIDTH * 2]);
 void maggi_island_vector(const maggi_topo *t, const double prim0[t->nprim],
                          const double r[t->npoint][3], const double dir[t->ndir][3],
                          const double b[t->nbody][6], const double phi[t->nphi],
                          const double chol[t->nchol], const double rhs[t->nrow],
-                         double v1[t->nvrow * 6 * MAGGI_WIDTH],
-                         double y1[t->nrow * MAGGI_WIDTH], double x1[t->nq * MAGGI_WIDTH],
-                         double work[t->nq * MAGGI_WIDTH], double x[t->nq]);
+                         double v1[t->nvrow * 6], double y1[t->nrow], double x[t->nq],
+                         double work[t->nq * MAGGI_WIDTH * 2]);
 void maggi_expand(const maggi_topo *t, const double R[t->nq * t->stride],
                   const double vcol[t->ncol], const double x0[t->nq], double v[t->nq]);
 
@@ -136,9 +135,12 @@ void maggi_drives(const maggi_topo *t, const double Mr[t->ncol * t->stride],
 
 /* solve.c: linear solves, differentiated by rule and not by line */
 void maggi_cholesky_island(int n, int adr, double chol[]);
-void maggi_solve_island(int m, int n, int phiadr, const double phi[], int choladr,
-                        const double chol[], int yrow, const double Y[], int stride, int begin,
-                        int end, int depadr, const int dep[], double X[], double work[]);
+void maggi_solve_columns(int m, int n, int phiadr, const double phi[], int choladr,
+                         const double chol[], int yrow, const double Y[], int stride, int begin,
+                         int end, int depadr, const int dep[], double X[], double work[]);
+void maggi_solve_vector(int m, int n, int phiadr, const double phi[], int choladr,
+                        const double chol[], int yrow, const double y[], int depadr,
+                        const int dep[], double x[], double work[]);
 void maggi_factor_mass(const maggi_topo *t, const double Mr[], double Ur[], double dinv[]);
 void maggi_solve_mass(const maggi_topo *t, const double Mr[], const double fr[], const double Ur[],
                       const double dinv[], double acol[]);

@@ -26,126 +26,136 @@ void maggi_cholesky_island(int n, int adr, double chol[])
   }
 }
 
-/* one block of columns */
-typedef double block[MAGGI_WIDTH];
-
-static inline void load(const double *from, block x)
+/* rows of `width` numbers: a block of columns, or one */
+static inline void load(int width, const double *from, double *x)
 {
   int c;
 
 #pragma omp simd
-  for (c = 0; c < MAGGI_WIDTH; ++c)
+  for (c = 0; c < width; ++c)
     x[c] = from[c];
 }
 
-static inline void axpy(double f, const block x, block y)
+static inline void axpy(int width, double f, const double *x, double *y)
 {
   int c;
 
 #pragma omp simd
-  for (c = 0; c < MAGGI_WIDTH; ++c)
+  for (c = 0; c < width; ++c)
     y[c] += f * x[c];
 }
 
-static inline void scale(double f, block x)
+static inline void scale(int width, double f, double *x)
 {
   int c;
 
 #pragma omp simd
-  for (c = 0; c < MAGGI_WIDTH; ++c)
+  for (c = 0; c < width; ++c)
     x[c] *= f;
 }
 
-/* T = A^-1 T, L L^T = A */
-static inline void substitute(int n, const double *L, block T[])
+static inline void clear(int n, double *x)
+{
+  int i;
+
+  for (i = 0; i < n; ++i)
+    x[i] = 0.0;
+}
+
+/* T = A^-1 T, L L^T = A, n rows */
+static inline void substitute(int n, int width, const double *L, double *T)
 {
   int i, j;
 
   for (i = 0; i < n; ++i) {
     for (j = 0; j < i; ++j)
-      axpy(-L[i * n + j], T[j], T[i]);
-    scale(L[i * n + i], T[i]);
+      axpy(width, -L[i * n + j], T + j * width, T + i * width);
+    scale(width, L[i * n + i], T + i * width);
   }
   for (i = n - 1; i >= 0; --i) {
     for (j = i + 1; j < n; ++j)
-      axpy(-L[j * n + i], T[j], T[i]);
-    scale(L[i * n + i], T[i]);
+      axpy(width, -L[j * n + i], T + j * width, T + i * width);
+    scale(width, L[i * n + i], T + i * width);
   }
 }
 
-/* X = (Phi^T Phi)^-1 Phi^T Y with one step of iterative refinement, one block; X and T have n rows */
-static inline void least_squares(int m, int n, const double *phi, const double *L, const double *Y,
-                                 int stride, block X[], block T[])
+/* X = (Phi^T Phi)^-1 Phi^T Y with one step of iterative refinement; X and T have n rows */
+static inline void least_squares(int m, int n, int width, const double *phi, const double *L,
+                                 const double *Y, int stride, double *X, double *T)
 {
   int i, k;
-  block e;
+  double e[MAGGI_WIDTH];
 
-  for (i = 0; i < n; ++i)
-    for (k = 0; k < MAGGI_WIDTH; ++k)
-      X[i][k] = 0.0;
+  clear(n * width, X);
   for (k = 0; k < m; ++k) {
-    load(Y + k * stride, e);
+    load(width, Y + k * stride, e);
     for (i = 0; i < n; ++i)
-      axpy(phi[k * n + i], e, X[i]);
+      axpy(width, phi[k * n + i], e, X + i * width);
   }
-  substitute(n, L, X);
-  for (i = 0; i < n; ++i)
-    for (k = 0; k < MAGGI_WIDTH; ++k)
-      T[i][k] = 0.0;
+  substitute(n, width, L, X);
+  clear(n * width, T);
   for (k = 0; k < m; ++k) {
-    load(Y + k * stride, e);
+    load(width, Y + k * stride, e);
     for (i = 0; i < n; ++i)
-      axpy(-phi[k * n + i], X[i], e);
+      axpy(width, -phi[k * n + i], X + i * width, e);
     for (i = 0; i < n; ++i)
-      axpy(phi[k * n + i], e, T[i]);
+      axpy(width, phi[k * n + i], e, T + i * width);
   }
-  substitute(n, L, T);
+  substitute(n, width, L, T);
   for (i = 0; i < n; ++i)
-    axpy(1.0, T[i], X[i]);
+    axpy(width, 1.0, T + i * width, X + i * width);
 }
 
-/* small islands with their blocks in registers */
-#define SMALL(rows, n)                                                                             \
-  static void least_squares_##rows##_##n(const double *phi, const double *L, const double *Y,      \
-                                         int stride, block X[])                                    \
+/* small islands with everything in registers, the others in the work space */
+#define SMALL(m, n, width)                                                                         \
   {                                                                                                \
-    block x[n], t[n];                                                                              \
+    double x[n * width], t[n * width];                                                             \
     int i;                                                                                         \
                                                                                                    \
-    least_squares(rows, n, phi, L, Y, stride, x, t);                                               \
+    least_squares(m, n, width, phi, L, Y, stride, x, t);                                           \
     for (i = 0; i < n; ++i)                                                                        \
-      load(x[i], X[i]);                                                                            \
+      load(width, x + i * width, X + dep[i] * stride);                                             \
   }
-SMALL(1, 1)
-SMALL(3, 2)
-SMALL(3, 3)
-SMALL(6, 2)
+
+static inline void solve(int m, int n, int width, const double *phi, const double *L,
+                         const double *Y, int stride, const int *dep, double *X, double *work)
+{
+  int k;
+
+  if (m == 6 && n == 2)
+    SMALL(6, 2, width)
+  else if (m == 3 && n == 3)
+    SMALL(3, 3, width)
+  else if (m == 1 && n == 1)
+    SMALL(1, 1, width)
+  else if (m == 3 && n == 2)
+    SMALL(3, 2, width)
+  else {
+    least_squares(m, n, width, phi, L, Y, stride, work, work + n * width);
+    for (k = 0; k < n; ++k)
+      load(width, work + k * width, X + dep[k] * stride);
+  }
+}
 
 /* Columns begin..end of the rows dep[depadr..] of X; Y has m rows from yrow on; rows are `stride`
  * long and begin on a block; work holds 2 n blocks. */
-void maggi_solve_island(int m, int n, int phiadr, const double phi[], int choladr,
-                        const double chol[], int yrow, const double Y[], int stride, int begin,
-                        int end, int depadr, const int dep[], double X[], double work[])
+void maggi_solve_columns(int m, int n, int phiadr, const double phi[], int choladr,
+                         const double chol[], int yrow, const double Y[], int stride, int begin,
+                         int end, int depadr, const int dep[], double X[], double work[])
 {
-  const double *P = phi + phiadr, *L = chol + choladr, *y;
-  block *x = (block *)work, *spare = x + n;
-  int i, c;
+  int c;
 
-  for (c = begin / MAGGI_WIDTH * MAGGI_WIDTH; c < end; c += MAGGI_WIDTH) {
-    y = Y + yrow * stride + c;
-    if (m == 6 && n == 2)
-      least_squares_6_2(P, L, y, stride, x);
-    else if (m == 3 && n == 3)
-      least_squares_3_3(P, L, y, stride, x);
-    else if (m == 1 && n == 1)
-      least_squares_1_1(P, L, y, stride, x);
-    else if (m == 3 && n == 2)
-      least_squares_3_2(P, L, y, stride, x);
-    else
-      least_squares(m, n, P, L, y, stride, x, spare);
-    for (i = 0; i < n; ++i)
-      load(x[i], X + dep[depadr + i] * stride + c);
-  }
+  for (c = begin / MAGGI_WIDTH * MAGGI_WIDTH; c < end; c += MAGGI_WIDTH)
+    solve(m, n, MAGGI_WIDTH, phi + phiadr, chol + choladr, Y + yrow * stride + c, stride,
+          dep + depadr, X + c, work);
+}
+
+/* the same for one column without room between its rows */
+void maggi_solve_vector(int m, int n, int phiadr, const double phi[], int choladr,
+                        const double chol[], int yrow, const double y[], int depadr,
+                        const int dep[], double x[], double work[])
+{
+  solve(m, n, 1, phi + phiadr, chol + choladr, y + yrow, 1, dep + depadr, x, work);
 }
 
 static inline double dot_rows(int begin, int end, const double *a, const double *b)
@@ -171,18 +181,18 @@ void maggi_factor_mass(const maggi_topo *t, const double Mr[], double Ur[], doub
 
   for (i = 0; i < n; ++i)
     for (c = i / MAGGI_WIDTH * MAGGI_WIDTH; c < n; c += MAGGI_WIDTH)
-      load(Mr + i * stride + c, Ur + i * stride + c);
+      load(MAGGI_WIDTH, Mr + i * stride + c, Ur + i * stride + c);
   for (k = 0; k < n; ++k) {
     u = Ur + k * stride;
     dinv[k] = 1.0 / sqrt(u[k]);
     for (c = k / MAGGI_WIDTH * MAGGI_WIDTH; c < n; c += MAGGI_WIDTH)
-      scale(dinv[k], u + c);
+      scale(MAGGI_WIDTH, dinv[k], u + c);
     for (i = k + 1; i < n; ++i) {
       if (t->first[i] > k)
         continue;
       f = -u[i];
       for (c = i / MAGGI_WIDTH * MAGGI_WIDTH; c < n; c += MAGGI_WIDTH)
-        axpy(f, u + c, Ur + i * stride + c);
+        axpy(MAGGI_WIDTH, f, u + c, Ur + i * stride + c);
     }
   }
 }

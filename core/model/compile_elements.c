@@ -105,8 +105,11 @@ static maggi_status add_spring(maggi_compile *c, const maggi_spring_def *d)
     values[4] = d->v11;
     values[5] = d->v22;
     for (k = 0; k < 6; ++k)
-      maggi_parameter_add(c, values[k], k < 4 ? "N s/m" : "m/s", MAGGI_BOUND_NONE, "springs.%s.%s",
-                          d->name, slope[k]);
+      maggi_parameter_add(c, values[k], k < 4 ? "N s/m" : "m/s",
+                          k < 4    ? MAGGI_BOUND_NONE
+                          : k == 4 ? MAGGI_BOUND_NOT_NEGATIVE
+                                   : MAGGI_BOUND_NOT_POSITIVE,
+                          "springs.%s.%s", d->name, slope[k]);
   }
   PUSH(springadr, adr);
   PUSH(springpreload, preload);
@@ -118,11 +121,18 @@ static maggi_status add_spring(maggi_compile *c, const maggi_spring_def *d)
   return MAGGI_OK;
 }
 
+static int is_angle(const maggi_compile *c, int q)
+{
+  return c->joint.v[c->qbody.v[q]] == MAGGI_ONE_REVOLUTE;
+}
+
 static maggi_status add_joint_spring(maggi_compile *c, const maggi_joint_spring_def *d)
 {
+  static const char *const units[2][4] = {{"N/m", "N s/m", "m", "N"},
+                                          {"N m/rad", "N m s/rad", "rad", "N m"}};
   maggi_status status;
-  int q, q2 = -1, adr, k;
-  const char *force, *angle = "rad", *unit[4];
+  int q, q2 = -1, adr;
+  const char *const *unit;
 
   status = maggi_compile_coordinate(c, "joint_springs", d->name, "coordinate", d->coordinate, &q);
   if (status == MAGGI_OK && d->coordinate2)
@@ -133,14 +143,7 @@ static maggi_status add_joint_spring(maggi_compile *c, const maggi_joint_spring_
   if (q == q2)
     return maggi_builder_fail(c->b, MAGGI_E_MODEL,
                               "joint_springs.%s: the two coordinates are the same", d->name);
-  for (k = 0; k < c->m->ncoordinate; ++k)
-    if (c->m->coordinate[k].q == q && !c->m->coordinate[k].is_angle)
-      angle = "m";
-  force = angle[0] == 'r' ? "N m" : "N";
-  unit[0] = angle[0] == 'r' ? "N m/rad" : "N/m";
-  unit[1] = angle[0] == 'r' ? "N m s/rad" : "N s/m";
-  unit[2] = angle;
-  unit[3] = force;
+  unit = units[is_angle(c, q)];
   adr = maggi_parameter_add(c, d->stiffness, unit[0], MAGGI_BOUND_NONE,
                             "joint_springs.%s.stiffness", d->name);
   maggi_parameter_add(c, d->damping, unit[1], MAGGI_BOUND_NONE, "joint_springs.%s.damping",
@@ -177,8 +180,8 @@ static maggi_status add_force(maggi_compile *c, const maggi_force_def *d)
     return maggi_builder_fail(c->b, MAGGI_E_MODEL,
                               "forces.%s: body and reaction are the same body", d->name);
   if (d->type == MAGGI_FORCE_JOINT)
-    adr = maggi_parameter_add(c, d->value[0], "N or N m", MAGGI_BOUND_NONE, "forces.%s.value",
-                              d->name);
+    adr = maggi_parameter_add(c, d->value[0], is_angle(c, q) ? "N m" : "N", MAGGI_BOUND_NONE,
+                              "forces.%s.value", d->name);
   else
     adr = maggi_parameter_add3(c, d->value, is_force ? "N" : "N m", "forces.%s.value", d->name);
   PUSH(forceadr, adr);

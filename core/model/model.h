@@ -10,6 +10,7 @@
 typedef enum maggi_bound {
   MAGGI_BOUND_NONE,
   MAGGI_BOUND_NOT_NEGATIVE,
+  MAGGI_BOUND_NOT_POSITIVE,
   MAGGI_BOUND_POSITIVE,
   MAGGI_BOUND_INITIAL_POSITION, /* none, but setting it prescribes the position of a coordinate */
   MAGGI_BOUND_INITIAL_VELOCITY
