@@ -157,16 +157,16 @@ static void loops(const maggi_topo *t, int width, long f[])
     for (i = t->islvop[k]; i < t->islvop[k + 1]; ++i) {
       j = t->vopdst[i];
       f[STAGED_maggi_island_columns] += 12 * columns(t->vrowbeg[j], t->vrowend[j], width);
-      f[STAGED_maggi_island_vector] += 12 * width;
+      f[STAGED_maggi_island_vector] += 12;
     }
     for (i = t->islprim[k]; i < t->islprim[k + 1]; ++i) {
       kind = t->primkind[t->primorder[i]];
       f[STAGED_maggi_island_columns] += rate(kind, columns(t->islbeg[k], t->islend[k], width));
-      f[STAGED_maggi_island_vector] += rate(kind, width) + rows_of(kind);
+      f[STAGED_maggi_island_vector] += rate(kind, 1) + rows_of(kind);
     }
     f[STAGED_maggi_island_columns] +=
         least_squares(m, n) * columns(t->islbeg[k], t->islend[k], width);
-    f[STAGED_maggi_island_vector] += least_squares(m, n) * width;
+    f[STAGED_maggi_island_vector] += least_squares(m, n);
   }
   f[STAGED_maggi_island_factors] += t->ndep > 0 ? t->ndep + 2 : 1; /* smallest pivot */
 }
