@@ -33,6 +33,8 @@ static size_t size_of(const char *name, const maggi_topo *t)
 {
   if (strcmp(name, "nbody1") == 0)
     return (size_t)t->nbody + 1;
+  if (strcmp(name, "nqblock") == 0)
+    return ((size_t)t->nq + MAGGI_WIDTH - 1) / MAGGI_WIDTH * MAGGI_WIDTH;
   if (strcmp(name, "nq16") == 0)
     return (size_t)t->nq * MAGGI_WIDTH * 2;
 #define X(size, text)                                                                              \

@@ -61,9 +61,9 @@
   X(M, npair, "mass matrix by pairs")                                                             \
   X(tau, nq, "torques and forces of elements on coordinates")                                     \
   X(f, nq, "generalised forces")                                                                  \
-  X(vcol, nq, "velocities of columns")                                                            \
-  X(acol, nq, "accelerations of columns")                                                         \
-  X(fr, nq, "reduced forces")                                                                     \
+  X(vcol, nqblock, "velocities of columns")                                                            \
+  X(acol, nqblock, "accelerations of columns")                                                         \
+  X(fr, nqblock, "reduced forces")                                                                     \
   X(dinv, nq, "inverse pivots of the reduced mass matrix")                                        \
   X(drive, nq, "torques and forces of guides by columns")                                         \
   X(space, nq16, "work space of solves")                                                          \

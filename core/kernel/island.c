@@ -201,20 +201,33 @@ void maggi_island_vector(const maggi_topo *t, const double prim0[t->nprim],
   }
 }
 
+/* sum of R v over the blocks of begin..end; v may have anything finite where R is zero */
+static double row_dot(int row, int begin, int end, int nR, const double R[nR], int nv,
+                      const double v[nv])
+{
+  int c, i;
+  double s;
+
+  s = 0.0;
+  for (c = begin / MAGGI_WIDTH * MAGGI_WIDTH; c < end; c += MAGGI_WIDTH) {
+#pragma omp simd reduction(+ : s)
+    for (i = 0; i < MAGGI_WIDTH; ++i)
+      s += R[row + c + i] * v[c + i];
+  }
+  return s;
+}
+
 /* v = R vcol + x0 on the dependent coordinates, vcol on the others */
 void maggi_expand(const maggi_topo *t, const double R[t->nq * t->stride],
-                  const double vcol[t->ncol], const double x0[t->nq], double v[t->nq])
+                  const double vcol[t->stride], const double x0[t->nq], double v[t->nq])
 {
   int i, k, c;
-  double s;
 
   for (c = 0; c < t->ncol; ++c)
     v[t->colq[c]] = vcol[c];
   for (i = 0; i < t->ndep; ++i) {
     k = t->dep[i];
-    s = x0[k];
-    for (c = t->rbeg[k]; c < t->rend[k]; ++c)
-      s += R[k * t->stride + c] * vcol[c];
-    v[k] = s;
+    v[k] = x0[k] + row_dot(k * t->stride, t->rbeg[k], t->rend[k], t->nq * t->stride, R, t->stride,
+                           vcol);
   }
 }

@@ -93,7 +93,7 @@ void maggi_island_vector(const maggi_topo *t, const double prim0[t->nprim],
                          double v1[t->nvrow * 6], double y1[t->nrow], double x[t->nq],
                          double work[t->nq * MAGGI_WIDTH * 2]);
 void maggi_expand(const maggi_topo *t, const double R[t->nq * t->stride],
-                  const double vcol[t->ncol], const double x0[t->nq], double v[t->nq]);
+                  const double vcol[t->stride], const double x0[t->nq], double v[t->nq]);
 
 /* inertia.c */
 void maggi_body_inertias(const maggi_topo *t, const double body0[t->nbody][10],
@@ -129,7 +129,7 @@ void maggi_reduced_mass(const maggi_topo *t, const double M[t->npair],
                         double Mr[t->ncol * t->stride]);
 void maggi_reduced_force(const maggi_topo *t, const double b[t->nbody][6],
                          const double FS[t->nbody + 1][6], const double tau[t->nq],
-                         const double R[t->nq * t->stride], double f[t->nq], double fr[t->ncol]);
+                         const double R[t->nq * t->stride], double f[t->nq], double fr[t->stride]);
 void maggi_drives(const maggi_topo *t, const double Mr[t->ncol * t->stride],
                   const double fr[t->ncol], const double acol[t->ncol], double drive[t->ncol]);
 

@@ -101,7 +101,7 @@ void maggi_reduced_mass(const maggi_topo *t, const double M[t->npair],
 /* f_i = b_i.FS_i + tau_i,  R^T f */
 void maggi_reduced_force(const maggi_topo *t, const double b[t->nbody][6],
                          const double FS[t->nbody + 1][6], const double tau[t->nq],
-                         const double R[t->nq * t->stride], double f[t->nq], double fr[t->ncol])
+                         const double R[t->nq * t->stride], double f[t->nq], double fr[t->stride])
 {
   int i, k, c;
 
@@ -111,8 +111,7 @@ void maggi_reduced_force(const maggi_topo *t, const double b[t->nbody][6],
     fr[c] = f[t->colq[c]];
   for (i = 0; i < t->ndep; ++i) {
     k = t->dep[i];
-    for (c = t->rbeg[k]; c < t->rend[k]; ++c)
-      fr[c] += R[k * t->stride + c] * f[k];
+    row_axpy(0, k * t->stride, t->rbeg[k], t->rend[k], f[k], t->nq * t->stride, R, t->stride, fr);
   }
 }
 

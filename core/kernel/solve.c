@@ -79,7 +79,25 @@ static inline void substitute(int n, int width, const double *L, double *T)
   }
 }
 
-/* X = (Phi^T Phi)^-1 Phi^T Y with one step of iterative refinement; X and T have n rows */
+/* Normal equations square the condition number of Phi, and one step of iterative refinement wins that
+ * back.  Velocities always need it: their error makes positions drift, and what is open of a loop is
+ * magnified at singular positions.  A single column (accelerations, corrections) does not while the
+ * pivots are alike. */
+static inline int needs_refinement(int n, int width, const double *L)
+{
+  int i;
+  double least = L[0], most = L[0];
+
+  if (width > 1)
+    return 1;
+  for (i = 1; i < n; ++i) {
+    least = L[i * n + i] < least ? L[i * n + i] : least;
+    most = L[i * n + i] > most ? L[i * n + i] : most;
+  }
+  return !(most < 16.0 * least);
+}
+
+/* X = (Phi^T Phi)^-1 Phi^T Y; X and T have n rows */
 static inline void least_squares(int m, int n, int width, const double *phi, const double *L,
                                  const double *Y, int stride, double *X, double *T)
 {
@@ -93,6 +111,8 @@ static inline void least_squares(int m, int n, int width, const double *phi, con
       axpy(width, phi[k * n + i], e, X + i * width);
   }
   substitute(n, width, L, X);
+  if (!needs_refinement(n, width, L))
+    return;
   clear(n * width, T);
   for (k = 0; k < m; ++k) {
     load(width, Y + k * stride, e);

@@ -150,8 +150,8 @@ void case_count(bench_case *c, bench_flops *f)
   int i;
 
   memset(f, 0, sizeof *f);
-  flops_derive(&c->d->t, 1, f->needed);
-  flops_derive(&c->d->t, MAGGI_WIDTH, f->blocks);
+  flops_derive(&c->d->t, c->d->chol, 1, f->needed);
+  flops_derive(&c->d->t, c->d->chol, MAGGI_WIDTH, f->blocks);
 #ifdef BENCH_STAGED
   staged s;
   int k;

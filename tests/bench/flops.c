@@ -2,6 +2,7 @@
  * is executed; after a change of the kernel it says which function here has to follow. */
 #include "flops.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "maggi/maggi.h"
@@ -131,12 +132,26 @@ static long rate(int kind, long n)
 }
 
 /* least squares with m rows and n unknowns, refined once, for one column */
-static long least_squares(long m, long n)
+static long refined(long m, long n)
 {
   return 6 * m * n + 4 * n * n + 2 * n;
 }
 
-static void loops(const maggi_topo *t, int width, long f[])
+/* the same for a column alone: refined only when the pivots are far apart, see needs_refinement in
+ * core/kernel/solve.c; L has the inverse pivots on its diagonal */
+static long single(long m, long n, const double *L)
+{
+  double least = L[0], most = L[0];
+  long i;
+
+  for (i = 1; i < n; ++i) {
+    least = fmin(least, L[i * n + i]);
+    most = fmax(most, L[i * n + i]);
+  }
+  return most < 16.0 * least ? 2 * m * n + 2 * n * n : refined(m, n);
+}
+
+static void loops(const maggi_topo *t, const double *chol, int width, long f[])
 {
   long m, n, j;
   int i, k, kind;
@@ -165,8 +180,8 @@ static void loops(const maggi_topo *t, int width, long f[])
       f[STAGED_maggi_island_vector] += rate(kind, 1) + rows_of(kind);
     }
     f[STAGED_maggi_island_columns] +=
-        least_squares(m, n) * columns(t->islbeg[k], t->islend[k], width);
-    f[STAGED_maggi_island_vector] += least_squares(m, n);
+        refined(m, n) * columns(t->islbeg[k], t->islend[k], width);
+    f[STAGED_maggi_island_vector] += single(m, n, chol + t->islchol[k]);
   }
   f[STAGED_maggi_island_factors] += t->ndep > 0 ? t->ndep + 2 : 1; /* smallest pivot */
 }
@@ -243,8 +258,8 @@ static void solve(const maggi_topo *t, int width, long f[])
   f[STAGED_maggi_reduced_force] += (DOT6 + 1L) * t->nq;
   for (i = 0; i < t->ndep; ++i) {
     k = t->dep[i];
-    f[STAGED_maggi_reduced_force] += 2L * (t->rend[k] - t->rbeg[k]);
-    f[STAGED_maggi_expand] += 2 * 2L * (t->rend[k] - t->rbeg[k]); /* velocities, accelerations */
+    f[STAGED_maggi_reduced_force] += 2L * columns(t->rbeg[k], t->rend[k], width);
+    f[STAGED_maggi_expand] += 2 * (2L * columns(t->rbeg[k], t->rend[k], width) + 1); /* v and a */
   }
   for (k = 0; k < n; ++k) {
     f[STAGED_maggi_factor_mass] += 2 + columns(k, (int)n, width);
@@ -256,11 +271,11 @@ static void solve(const maggi_topo *t, int width, long f[])
   f[STAGED_maggi_drives] += (2L * t->ncol + 2) * t->nguide;
 }
 
-void flops_derive(const maggi_topo *t, int width, long flops[STAGED_COUNT])
+void flops_derive(const maggi_topo *t, const double *chol, int width, long flops[STAGED_COUNT])
 {
   memset(flops, 0, STAGED_COUNT * sizeof *flops);
   positions(t, flops);
-  loops(t, width, flops);
+  loops(t, chol, width, flops);
   velocities(t, flops);
   elements(t, flops);
   inertias(t, flops);
