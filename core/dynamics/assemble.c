@@ -9,7 +9,12 @@
 
 #include "data.h"
 
-enum { ASSEMBLY_ITERATIONS = 200, PROJECTION_ITERATIONS = 20, HALVINGS = 12 };
+enum {
+  ASSEMBLY_STARTS = 30,
+  ASSEMBLY_ITERATIONS = 200,
+  PROJECTION_ITERATIONS = 20,
+  HALVINGS = 12,
+};
 
 /* largest move of a coordinate in one iteration of assembly [rad or m] */
 static const double assembly_step = 0.5;
@@ -73,46 +78,100 @@ static double roundoff(const maggi_data *d)
   return 4.0 * DBL_EPSILON * largest;
 }
 
-static maggi_status assemble(maggi_data *d, double time, int avoid)
+/* Newton from the present position; the loops are open by *violation after it.  Equations that are
+ * redundant where the loops are closed are not so while they are open: when `relaxed`, pivots of the
+ * size of the opening count as redundant. */
+static maggi_status newton(maggi_data *d, double time, int avoid, int relaxed, double *violation)
 {
-  double violation, before, factor;
+  double before, factor;
   maggi_status status;
   int i, k;
 
   maggi_evaluate_positions(d, time);
-  violation = maggi_violation(d);
-  for (i = 0; i < ASSEMBLY_ITERATIONS && !(violation <= roundoff(d)); ++i) {
-    if (isnan(violation))
+  *violation = maggi_violation(d);
+  for (i = 0; i < ASSEMBLY_ITERATIONS && !(*violation <= roundoff(d)); ++i) {
+    if (isnan(*violation))
       return maggi_data_fail(d, MAGGI_E_NOT_FINITE, "the initial position is not finite");
+    if (relaxed)
+      d->rank_tolerance = fmin(fmax(*violation, MAGGI_RANK_TOLERANCE), 0.05);
     status = maggi_plan(d, avoid, 0.5);
+    d->rank_tolerance = MAGGI_RANK_TOLERANCE;
     if (status != MAGGI_OK)
       return status;
     newton_step(d);
     remember(d);
-    before = violation;
+    before = *violation;
     factor = largest_move(d);
     factor = factor > assembly_step ? assembly_step / factor : 1.0;
     for (k = 0; k < HALVINGS; ++k) {
       move(d, factor);
       maggi_evaluate_positions(d, time);
-      violation = maggi_violation(d);
-      if (violation < before)
+      *violation = maggi_violation(d);
+      if (*violation < before)
         break;
       factor *= 0.5;
     }
     if (k == HALVINGS) {
       move(d, 0.0);
       maggi_evaluate_positions(d, time);
-      violation = before;
+      *violation = before;
       break;
     }
   }
-  return violation <= d->tolerance ? MAGGI_OK : fail_assembly(d, violation);
+  return MAGGI_OK;
 }
 
-/* The independent coordinates go to where they were asked for, the others close the loops around
+/* between -1 and 1, the same in every run */
+static double scattered(unsigned *seed)
+{
+  *seed = *seed * 1664525u + 1013904223u;
+  return (double)(*seed >> 8) / (double)(1u << 23) - 1.0;
+}
+
+/* Newton from the position in q, then from points scattered wider and wider around it */
+static maggi_status assemble(maggi_data *d, double time, int avoid)
+{
+  size_t bytes = (size_t)d->t.nq * sizeof(double);
+  double violation, least = INFINITY, spread;
+  maggi_status status;
+  unsigned seed = 1;
+  int n, i;
+
+  memcpy(d->dqs, d->q, bytes);
+  for (n = 0; n < ASSEMBLY_STARTS; ++n) {
+    spread = n < 2 ? 0.0 : 3.2 * n / ASSEMBLY_STARTS;
+    for (i = 0; n > 0 && i < d->t.nq; ++i)
+      if (!(avoid & MAGGI_KEEP_POSITION) || !d->position_given[i])
+        d->q[i] = d->dqs[i] + spread * scattered(&seed);
+    status = newton(d, time, avoid, n % 2, &violation);
+    if (status != MAGGI_OK)
+      return status;
+    if (violation <= d->tolerance)
+      return MAGGI_OK;
+    if (violation < least) {
+      least = violation;
+      memcpy(d->dus, d->q, bytes);
+    }
+  }
+  memcpy(d->q, d->dus, bytes);
+  maggi_evaluate_positions(d, time);
+  return fail_assembly(d, least);
+}
+
+/* a coordinate with a prescribed position that has become dependent */
+static int is_position_dependent(const maggi_data *d)
+{
+  int i;
+
+  for (i = 0; i < d->t.ndep; ++i)
+    if (d->position_given[d->t.dep[i]])
+      return 1;
+  return 0;
+}
+
+/* The independent coordinates go to where assembly started (dqs), the others close the loops around
  * them; left as assembled where that cannot be done. */
-static void settle(maggi_data *d, double time, const double *asked)
+static void settle(maggi_data *d, double time)
 {
   const maggi_topo *t = &d->t;
   double violation = INFINITY;
@@ -120,7 +179,7 @@ static void settle(maggi_data *d, double time, const double *asked)
 
   memcpy(d->dus, d->q, (size_t)t->nq * sizeof(double));
   for (i = 0; i < t->nind; ++i)
-    d->q[t->colq[i]] = asked[t->colq[i]];
+    d->q[t->colq[i]] = d->dqs[t->colq[i]];
   maggi_evaluate_positions(d, time);
   for (n = 0; n < PROJECTION_ITERATIONS; ++n) {
     violation = maggi_violation(d);
@@ -230,13 +289,13 @@ maggi_status maggi_data_reset(maggi_data *d)
   for (i = 0; i < d->t.nq; ++i)
     if (m->initial_position[i] >= 0)
       d->q[i] = d->p[m->initial_position[i]];
-  memcpy(d->dqs, d->q, (size_t)d->t.nq * sizeof(double));
   status = assemble(d, 0.0, MAGGI_KEEP_POSITION);
   if (status == MAGGI_OK)
-    status = maggi_plan(d, MAGGI_AVOID_VELOCITY, 0.1);
+    status = maggi_plan(d, MAGGI_AVOID_GIVEN, 0.1);
   if (status != MAGGI_OK)
     return status;
-  settle(d, 0.0, d->dqs);
+  if (!is_position_dependent(d))
+    settle(d, 0.0);
   for (i = 0; i < d->t.nind; ++i) {
     q = d->t.colq[i];
     d->vcol[i] = d->velocity_given[q] ? d->p[m->initial_velocity[q]] : 0.0;
@@ -269,13 +328,12 @@ maggi_status maggi_data_set_state(maggi_data *d, double t, const double *q, cons
     d->q[m->coordinate[i].q] = q[i];
     d->v[m->coordinate[i].q] = v[i];
   }
-  memcpy(d->dqs, d->q, (size_t)d->t.nq * sizeof(double));
   status = assemble(d, t, 0);
   if (status == MAGGI_OK)
     status = maggi_plan(d, 0, 0.1);
   if (status != MAGGI_OK)
     return status;
-  settle(d, t, d->dqs);
+  settle(d, t);
   for (i = 0; i < d->t.nind; ++i)
     d->vcol[i] = d->v[d->t.colq[i]];
   return complete(d, t);

@@ -13,14 +13,12 @@
 
 enum { ROWS_MAX = 6 };
 
-/* a pivot below this part of the largest entry of the loop is a redundant equation */
-static const double rank_tolerance = 1e-8;
 /* prescribed coordinates become dependent only when all other pivots are this much smaller */
 static const double avoid_threshold = 1e-3;
 
 static int pool_room(maggi_planner *pl, int n)
 {
-  int cap = pl->cappool ? pl->cappool : 64, *q;
+  int cap = pl->cappool ? pl->cappool : 1024, *q;
   double *c;
 
   if (pl->npool + n <= pl->cappool)
@@ -68,8 +66,35 @@ static int list_candidates(maggi_data *d, int loop)
   return n;
 }
 
-/* rows of the loop by candidates; returns the largest entry before substitution */
-static double fill_matrix(maggi_data *d, int loop, int n, int *rows)
+/* size that an entry of a coordinate has when it moves the loop at all: the arm of a turn, 1 for a
+ * shift or the turn of a direction; an arm counts at least as a small part of the model */
+static double natural_size(const maggi_data *d, int prim, int side, int q, double model_size)
+{
+  const maggi_topo *t = &d->t;
+  int body = t->qbody[q], point = side == 0 ? t->primpa[prim] : t->primpb[prim], k;
+  double arm = 0.0;
+
+  if (t->joint[body] == MAGGI_ONE_PRISMATIC || t->primkind[prim] == MAGGI_PRIM_AXIS ||
+      t->primkind[prim] == MAGGI_PRIM_ANGLE)
+    return 1.0;
+  for (k = 0; k < 3; ++k)
+    arm += (d->r[point][k] - d->x[body][k]) * (d->r[point][k] - d->x[body][k]);
+  return fmax(sqrt(arm), 1e-4 * model_size);
+}
+
+static double model_size(const maggi_data *d)
+{
+  double size = 0.0;
+  int i, k;
+
+  for (i = 0; i < d->t.npointdyn; ++i)
+    for (k = 0; k < 3; ++k)
+      size = fmax(size, fabs(d->r[i][k] - d->x[d->t.nbody][k]));
+  return size;
+}
+
+/* rows of the loop by candidates; returns the size that entries have by nature */
+static double fill_matrix(maggi_data *d, int loop, int n, double size, int *rows)
 {
   const maggi_topo *t = &d->t;
   maggi_planner *pl = d->planner;
@@ -87,9 +112,9 @@ static double fill_matrix(maggi_data *d, int loop, int n, int *rows)
       maggi_prim_entry(t->primkind[prim], t->pathside[i], d->prim0[prim], d->b[t->qbody[q]],
                        d->r[t->primpa[prim]], d->r[t->primpb[prim]], d->dir[t->primda[prim]],
                        d->dir[t->primdb[prim]], e);
+      scale = fmax(scale, natural_size(d, prim, t->pathside[i], q, size));
       for (k = 0; k < nrow; ++k) {
         m = pl->matrix + (size_t)(t->primrow[prim] - first + k) * (size_t)n;
-        scale = fmax(scale, fabs(e[k]));
         if (pl->owner[q] < 0) {
           m[pl->candidate[q]] += e[k];
           continue;
@@ -102,13 +127,18 @@ static double fill_matrix(maggi_data *d, int loop, int n, int *rows)
   return scale;
 }
 
-static int is_avoided(const maggi_data *d, int avoid, int q)
+/* how little a coordinate should become dependent: 2 for a prescribed velocity, 1 for a prescribed
+ * position */
+static int reluctance(const maggi_data *d, int avoid, int q)
 {
-  return (avoid & MAGGI_AVOID_VELOCITY) && (d->velocity_given[q] || d->position_given[q]);
+  if (!(avoid & MAGGI_AVOID_GIVEN))
+    return 0;
+  return d->velocity_given[q] ? 2 : d->position_given[q] ? 1 : 0;
 }
 
 /* the column of least reach among those not smaller than limit; larger ones first among equals */
-static int least_reach(const maggi_data *d, int avoid, double limit, const double *size, int n)
+static int least_reach(const maggi_data *d, int avoid, int level, double limit, const double *size,
+                       int n)
 {
   const maggi_planner *pl = d->planner;
   const int *reach = d->m->reach;
@@ -116,7 +146,7 @@ static int least_reach(const maggi_data *d, int avoid, double limit, const doubl
 
   for (c = 0; c < n; ++c) {
     q = pl->columnq[c];
-    if (size[c] == 0.0 || size[c] < limit || is_avoided(d, avoid, q))
+    if (size[c] == 0.0 || size[c] < limit || reluctance(d, avoid, q) > level)
       continue;
     if (best < 0 || reach[q] < reach[bestq] || (reach[q] == reach[bestq] && size[c] > size[best])) {
       best = c;
@@ -130,15 +160,17 @@ static int least_reach(const maggi_data *d, int avoid, double limit, const doubl
 static int choose_column(const maggi_data *d, int avoid, double threshold, const double *size,
                          int n, double largest)
 {
-  double free_largest = 0.0;
-  int c;
+  double most;
+  int c, level;
 
-  for (c = 0; c < n; ++c)
-    if (!is_avoided(d, avoid, d->planner->columnq[c]))
-      free_largest = fmax(free_largest, size[c]);
-  if (free_largest >= avoid_threshold * largest)
-    return least_reach(d, avoid, threshold * free_largest, size, n);
-  return least_reach(d, 0, threshold * largest, size, n);
+  for (level = 0;; ++level) {
+    most = 0.0;
+    for (c = 0; c < n; ++c)
+      if (reluctance(d, avoid, d->planner->columnq[c]) <= level)
+        most = fmax(most, size[c]);
+    if (most >= avoid_threshold * largest)
+      return least_reach(d, avoid, level, threshold * most, size, n);
+  }
 }
 
 /* Gauss-Jordan; pivots[k] = column of row k; returns the rank */
@@ -159,7 +191,7 @@ static int eliminate(maggi_data *d, int avoid, double threshold, int rows, int n
         size[c] = fmax(size[c], fabs(m[i * n + c]));
       largest = fmax(largest, size[c]);
     }
-    if (!(largest > rank_tolerance * scale))
+    if (!(largest > d->rank_tolerance * scale))
       break;
     col = choose_column(d, avoid, threshold, size, n, largest);
     at = rank;
@@ -264,7 +296,7 @@ maggi_status maggi_choose(maggi_data *d, int avoid, double threshold)
   const maggi_topo *t = &d->t;
   maggi_planner *pl = d->planner;
   int pivots[ROWS_MAX], i, k, c, n, rows, loop;
-  double scale, *bigger;
+  double scale, size = model_size(d), *bigger;
   size_t need;
 
   pl->npool = 0;
@@ -275,14 +307,15 @@ maggi_status maggi_choose(maggi_data *d, int avoid, double threshold)
     n = list_candidates(d, loop);
     need = (size_t)n * ROWS_MAX;
     if (need > pl->capmatrix) {
-      bigger = realloc(pl->matrix, 2 * need * sizeof *bigger);
+      bigger = realloc(pl->matrix, (2 * need + 256) * sizeof *bigger);
       if (!bigger)
         return maggi_data_fail(d, MAGGI_E_MEMORY, "out of memory");
       pl->matrix = bigger;
-      pl->capmatrix = 2 * need;
+      pl->capmatrix = 2 * need + 256;
     }
-    memset(pl->matrix, 0, need * sizeof *pl->matrix);
-    scale = fill_matrix(d, loop, n, &rows);
+    if (need > 0)
+      memset(pl->matrix, 0, need * sizeof *pl->matrix);
+    scale = fill_matrix(d, loop, n, size, &rows);
     pl->rank[loop] = eliminate(d, avoid, threshold, rows, n, scale, pivots);
     if (!write_rows(pl, n, pl->rank[loop], pivots))
       return maggi_data_fail(d, MAGGI_E_MEMORY, "out of memory");

@@ -58,6 +58,7 @@ maggi_status maggi_data_create(const maggi_model *m, maggi_data **data)
   d->m = m;
   d->t = m->topo;
   d->tolerance = 1e-10;
+  d->rank_tolerance = MAGGI_RANK_TOLERANCE;
   d->position_given = calloc(nq, sizeof(int));
   d->velocity_given = calloc(nq, sizeof(int));
   ok = d->position_given && d->velocity_given &&
@@ -105,8 +106,8 @@ static int fit(double **a, size_t *cap, size_t n)
 {
   if (n > *cap || !*a) {
     free(*a);
-    *a = numbers(n + n / 4);
-    *cap = *a ? n + n / 4 : 0;
+    *a = numbers(n + n / 4 + 64); /* room for another choice of coordinates */
+    *cap = *a ? n + n / 4 + 64 : 0;
   } else {
     memset(*a, 0, n * sizeof(double));
   }

@@ -94,6 +94,8 @@
   X(Mr, ncol * t->stride, "reduced mass matrix")                                                  \
   X(Ur, ncol * t->stride, "its factor")
 
+#define MAGGI_RANK_TOLERANCE 1e-8
+
 typedef struct maggi_planner maggi_planner;
 
 /* a point of the integration; its vectors are in the lists above */
@@ -110,6 +112,7 @@ struct maggi_data {
   double time;
   double power[1]; /* of dampers, loads and drives */
   double work;
+  double rank_tolerance; /* smaller pivots, in the natural size of a loop, are redundant equations */
   double pivot_ratio;  /* at the last step */
   double stage_ratio;  /* at the last evaluation */
   maggi_node start;    /* of the last Runge-Kutta step: q0, v0, a0 */
@@ -141,7 +144,7 @@ maggi_status maggi_data_fit(maggi_data *d);
 /* plan.c: which coordinates depend on which loops, and the lists of the kernel that follow.
  * avoid: MAGGI_AVOID_.. bits; threshold: how much smaller than the largest a pivot may be to keep
  * the structure fine. */
-enum { MAGGI_AVOID_VELOCITY = 1, MAGGI_KEEP_POSITION = 2 };
+enum { MAGGI_AVOID_GIVEN = 1, MAGGI_KEEP_POSITION = 2 };
 maggi_status maggi_planner_create(const maggi_model *m, maggi_planner **planner);
 void maggi_planner_free(maggi_planner *planner);
 maggi_status maggi_plan(maggi_data *d, int avoid, double threshold);

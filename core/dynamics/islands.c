@@ -50,6 +50,20 @@ static int find_components(maggi_data *d)
   return n;
 }
 
+/* a loop that determines nothing joins the last island that moves it, to bear its share there */
+static int island_of_redundant(const maggi_data *d, int loop)
+{
+  const maggi_planner *pl = d->planner;
+  int i, owner, last = -1;
+
+  for (i = d->t.pathadr[loop]; i < d->t.pathadr[loop + 1]; ++i) {
+    owner = pl->owner[d->t.pathq[i]];
+    if (owner >= 0 && pl->loopisland[owner] > last)
+      last = pl->loopisland[owner];
+  }
+  return last;
+}
+
 /* islands are the components that determine something; their loops, rows and dependents */
 int maggi_list_islands(maggi_data *d)
 {
@@ -77,6 +91,9 @@ int maggi_list_islands(maggi_data *d)
   t->nisland = k;
   for (i = 0; i < t->nloop; ++i)
     pl->loopisland[i] = island[pl->component[i]];
+  for (i = 0; i < t->nloop; ++i)
+    if (pl->loopisland[i] < 0)
+      pl->loopisland[i] = island_of_redundant(d, i);
 
   /* counts, then addresses */
   for (i = 0; i < t->nq; ++i)

@@ -55,6 +55,27 @@ static void sort_loops(const maggi_topo *t, int *order)
         order[n++] = loop;
 }
 
+/* the longest that the lists can become, so that another choice while running allocates nothing */
+static int reserve(maggi_planner *pl, const maggi_topo *t)
+{
+  maggi_ints *pairs[] = {&pl->iipair, &pl->iirow, &pl->iicol, &pl->idpair, &pl->iddep,
+                         &pl->idcol,  &pl->ddpair, &pl->dddst, &pl->ddsrc};
+  maggi_ints *rows[] = {&pl->vrowbeg, &pl->vrowend, &pl->vbase, &pl->vnext,
+                        &pl->vopdst,  &pl->vopsrc,  &pl->vopq};
+  maggi_ints *entries[] = {&pl->entprim, &pl->entside, &pl->entq, &pl->entadr, &pl->entstep};
+  int i, ok = 1, nrow = 1 + 2 * t->npath, nent = 0;
+
+  for (i = 0; i < t->nprim; ++i)
+    nent += t->pathadr[t->primloop[i] + 1] - t->pathadr[t->primloop[i]];
+  for (i = 0; i < (int)(sizeof pairs / sizeof *pairs); ++i)
+    ok = maggi_sized(pairs[i], t->npair, 0) && ok;
+  for (i = 0; i < (int)(sizeof rows / sizeof *rows); ++i)
+    ok = maggi_sized(rows[i], nrow, 0) && ok;
+  for (i = 0; i < (int)(sizeof entries / sizeof *entries); ++i)
+    ok = maggi_sized(entries[i], nent, 0) && ok;
+  return ok;
+}
+
 maggi_status maggi_planner_create(const maggi_model *m, maggi_planner **planner)
 {
   const maggi_topo *t = &m->topo;
@@ -86,7 +107,7 @@ maggi_status maggi_planner_create(const maggi_model *m, maggi_planner **planner)
   pl->climb = ints(t->nbody);
   ok = pl->order && pl->loopprim && pl->owner && pl->previous && pl->rank && pl->row &&
        pl->candidate && pl->columnq && pl->sum && pl->component && pl->low && pl->index &&
-       pl->stack && pl->frame && pl->at && pl->loopisland && pl->local && pl->vhead && pl->climb;
+       pl->stack && pl->frame && pl->at && pl->loopisland && pl->local && pl->vhead && pl->climb && reserve(pl, t);
   if (!ok) {
     maggi_planner_free(pl);
     return MAGGI_E_MEMORY;

@@ -65,9 +65,13 @@ void maggi_potential_energy(const maggi_topo *t, const double p[t->np], const do
   for (i = 0; i < t->nrod; ++i) {
     a = t->rodpa[i];
     b = t->rodpb[i];
+    /* half of the mass at each end, a third of it in the body there unless that is the ground */
+    z = t->pointbody[a] == t->nbody ? 0.5 : 1.0 / 6.0;
+    l = t->pointbody[b] == t->nbody ? 0.5 : 1.0 / 6.0;
     for (k = 0; k < 3; ++k)
-      energy[0] -= p[t->rodadr[i]] / 6.0 * p[k] *
-                   (r[a][k] + r[b][k] - 2.0 * x[t->nbody][k] + 2.0 * origin[k]);
+      energy[0] -= p[t->rodadr[i]] * p[k] *
+                   (z * (r[a][k] - x[t->nbody][k] + origin[k]) +
+                    l * (r[b][k] - x[t->nbody][k] + origin[k]));
   }
   for (i = 0; i < t->nspring; ++i) {
     a = t->springpa[i];

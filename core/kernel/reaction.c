@@ -39,6 +39,8 @@ void maggi_loop_multipliers(const maggi_topo *t, const double prim0[t->nprim],
 
   for (i = 0; i < t->nq; ++i)
     wd[i] = w[i];
+  for (i = 0; i < t->nrow; ++i)
+    lambda[i] = 0.0;
   for (k = t->nisland - 1; k >= 0; --k) {
     n = t->isldep[k + 1] - t->isldep[k];
     solve_factor(n, t->islchol[k], t->nchol, chol, t->isldep[k], t->dep, t->nq, wd);

@@ -81,7 +81,9 @@ static void add_parameters(maggi_compile *c, const maggi_body_def *d, addresses 
     adr->position[k] = adr->velocity[k] = -1;
     if (d->motion[k])
       continue;
-    snprintf(dot, sizeof dot, dof > 1 ? ".%d" : "", k + 1);
+    dot[0] = '\0';
+    if (dof > 1)
+      snprintf(dot, sizeof dot, ".%d", k + 1);
     unit = chain[d->joint][k].kind == MAGGI_ONE_REVOLUTE ? "rad" : "m";
     adr->position[k] = maggi_parameter_add(c, d->position[k], unit, MAGGI_BOUND_INITIAL_POSITION,
                                            "bodies.%s.joint.position%s", d->name, dot);
