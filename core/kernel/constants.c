@@ -40,15 +40,40 @@ static void global_axis(int axis, double a[3])
   a[2] = axis == 2 ? 1.0 : 0.0;
 }
 
-static void direction(int np, const double p[np], int kind, int adr, int aux, double u[3])
+/* v turned by the smallest turn that takes the unit vector n to the unit vector m:
+ *   c v + s × v + s (s.v) / (1 + c),  c = n.m,  s = n × m */
+static void carry(const double n[3], const double m[3], const double v[3], double u[3])
 {
-  double a[3], n[3], w[3], c[3];
+  int k;
+  double c, f;
+  double s[3], sv[3];
+
+  c = maggi_dot(n, m);
+  maggi_cross(n, m, s);
+  maggi_cross(s, v, sv);
+  f = maggi_dot(s, v) / (1.0 + c);
+  for (k = 0; k < 3; ++k)
+    u[k] = c * v[k] + sv[k] + f * s[k];
+}
+
+static void direction(int np, const double p[np], int kind, int adr, int aux, int lean,
+                      double u[3])
+{
+  double a[3], n[3], m[3], w[3], c[3];
 
   if (kind == MAGGI_DIR_GLOBAL) {
     global_axis(adr, u);
   } else if (kind == MAGGI_DIR_PARAMETER) {
     fetch(np, p, adr, a);
     normalise(a, u);
+  } else if (kind == MAGGI_DIR_CARRIED) {
+    fetch(np, p, aux, a);
+    normalise(a, n);
+    global_axis(lean, w);
+    across(w, n, c);
+    fetch(np, p, adr, a);
+    normalise(a, m);
+    carry(n, m, c, u);
   } else {
     fetch(np, p, adr, a);
     normalise(a, n);
@@ -83,7 +108,7 @@ void maggi_joint_constants(const maggi_topo *t, const double p[t->np], const dou
         offset0[i][k] = p[adr + k] - p[t->jpointadr[up] + k];
     }
     if (t->joint[i] != MAGGI_ONE_FIXED)
-      direction(t->np, p, t->jdirkind[i], t->jdiradr[i], t->jdiraux[i], axis0[i]);
+      direction(t->np, p, t->jdirkind[i], t->jdiradr[i], t->jdiraux[i], 0, axis0[i]);
   }
 }
 
@@ -192,7 +217,7 @@ void maggi_point_constants(const maggi_topo *t, const double p[t->np], const dou
     }
   }
   for (i = 0; i < t->ndir; ++i)
-    direction(t->np, p, t->dirkind[i], t->diradr[i], t->diraux[i], dir0[i]);
+    direction(t->np, p, t->dirkind[i], t->diradr[i], t->diraux[i], t->dirlean[i], dir0[i]);
   for (i = 0; i < t->nprim; ++i) {
     if (t->primkind[i] == MAGGI_PRIM_ROD && t->primadr[i] >= 0)
       prim0[i] = p[t->primadr[i]];

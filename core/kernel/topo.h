@@ -13,15 +13,17 @@
 /* joint of one expanded body */
 enum { MAGGI_ONE_REVOLUTE, MAGGI_ONE_PRISMATIC, MAGGI_ONE_FIXED };
 
-/* where a unit vector comes from: p; a global axis; two vectors across the axis `adr` (the first one
- * leaning on p[adr2..] or on the global axis `aux`); see maggi_direction_constant */
+/* where a unit vector comes from: p; a global axis; two vectors across the axis `adr`, the first one
+ * leaning on p[aux..] or on the global axis `aux`; the first such vector of the axis p[aux..], leaning
+ * on the global axis `lean` and carried over to the axis `adr` by the smallest turn */
 enum {
   MAGGI_DIR_PARAMETER,
   MAGGI_DIR_GLOBAL,
   MAGGI_DIR_ACROSS,
   MAGGI_DIR_ACROSS_GLOBAL,
   MAGGI_DIR_NORMAL,
-  MAGGI_DIR_NORMAL_GLOBAL
+  MAGGI_DIR_NORMAL_GLOBAL,
+  MAGGI_DIR_CARRIED
 };
 
 /* contributions to the inertia of a body and the entries they have in p */
@@ -93,6 +95,7 @@ enum { MAGGI_JSPRING_K, MAGGI_JSPRING_C, MAGGI_JSPRING_REST, MAGGI_JSPRING_PRELO
   X(dirkind, ndir, "MAGGI_DIR_..")                                                                \
   X(diradr, ndir, "address")                                                                      \
   X(diraux, ndir, "second address, or a global axis")                                             \
+  X(dirlean, ndir, "global axis of MAGGI_DIR_CARRIED")                                            \
   X(primkind, nprim, "MAGGI_PRIM_..")                                                             \
   X(primloop, nprim, "loop")                                                                      \
   X(primpa, nprim, "point on body a")                                                             \

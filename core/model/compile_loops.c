@@ -5,12 +5,13 @@
 #include "compile.h"
 #include "kernel.h"
 
-static int push_direction(maggi_compile *c, int body, int kind, int adr, int aux)
+static int push_direction(maggi_compile *c, int body, int kind, int adr, int aux, int lean)
 {
   PUSH(dirbody, body);
   PUSH(dirkind, kind);
   PUSH(diradr, adr);
   PUSH(diraux, aux);
+  PUSH(dirlean, lean);
   return c->dirbody.n - 1;
 }
 
@@ -45,8 +46,8 @@ static void push_loop(maggi_compile *c, const maggi_loop_def *d, int ba, int bb)
                                    d->name);
     if (k)
       ab = maggi_parameter_add3(c, d->axis_b, "-", "loops.%s.axis_b", d->name);
-    da = push_direction(c, ba, MAGGI_DIR_PARAMETER, aa, -1);
-    db = push_direction(c, bb, MAGGI_DIR_PARAMETER, ab, -1);
+    da = push_direction(c, ba, MAGGI_DIR_PARAMETER, aa, -1, 0);
+    db = push_direction(c, bb, MAGGI_DIR_PARAMETER, ab, -1, 0);
   }
   pta = maggi_compile_point(c, ba, pa);
   ptb = maggi_compile_point(c, bb, pb);
@@ -59,15 +60,15 @@ static void push_loop(maggi_compile *c, const maggi_loop_def *d, int ba, int bb)
     push_prim(c, MAGGI_PRIM_ANGLE, ba, bb, pta, ptb, da, db, -1);
   if (d->type >= MAGGI_LOOP_CYLINDRICAL) {
     k = maggi_least_axis(d->has_b ? d->axis_b : d->axis_a);
-    vb = push_direction(c, bb, MAGGI_DIR_ACROSS_GLOBAL, ab, k);
-    wb = push_direction(c, bb, MAGGI_DIR_NORMAL_GLOBAL, ab, k);
+    vb = push_direction(c, bb, MAGGI_DIR_ACROSS_GLOBAL, ab, k, 0);
+    wb = push_direction(c, bb, MAGGI_DIR_NORMAL_GLOBAL, ab, k, 0);
     push_prim(c, MAGGI_PRIM_PLANE, ba, bb, pta, ptb, da, vb, -1);
     push_prim(c, MAGGI_PRIM_PLANE, ba, bb, pta, ptb, da, wb, -1);
     push_prim(c, MAGGI_PRIM_ANGLE, ba, bb, pta, ptb, da, vb, -2);
     push_prim(c, MAGGI_PRIM_ANGLE, ba, bb, pta, ptb, da, wb, -2);
     if (d->type == MAGGI_LOOP_PRISMATIC) {
-      va = push_direction(c, ba, MAGGI_DIR_ACROSS_GLOBAL, aa, maggi_least_axis(d->axis_a));
-      push_prim(c, MAGGI_PRIM_ANGLE, ba, bb, pta, ptb, va, wb, -1);
+      va = push_direction(c, ba, MAGGI_DIR_CARRIED, aa, ab, k);
+      push_prim(c, MAGGI_PRIM_ANGLE, ba, bb, pta, ptb, va, wb, -2);
     }
   }
 }

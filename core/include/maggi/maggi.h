@@ -148,6 +148,8 @@ typedef struct maggi_point_mass_def {
  *   cylindrical  the two axes stay on one line                                  4
  *   prismatic    and do not turn about it                                       5
  *
+ * A prismatic loop whose axes differ in the file takes the turn about them from the smallest turn that
+ * brings one onto the other.
  * point_b and axis_b are used when has_b is true; else the loop is closed in the file and both sides
  * share point_a and axis_a (universal always needs axis_b).  When has_b is true and the two sides
  * differ, the model is assembled when a simulation starts.
