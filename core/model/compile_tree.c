@@ -57,7 +57,7 @@ static void add_parameters(maggi_compile *c, const maggi_body_def *d, addresses 
   static const char *const tensor[] = {"xx", "yy", "zz", "xy", "xz", "yz"};
   int k, dof = maggi_joint_dof(d->joint);
   const char *unit;
-  char dot[4];
+  char dot[16];
 
   adr->inertia = maggi_parameter_add(c, d->mass, "kg", MAGGI_BOUND_NOT_NEGATIVE, "bodies.%s.mass",
                                      d->name);

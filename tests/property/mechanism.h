@@ -1,9 +1,9 @@
 /* Random mechanisms as plain descriptions, and their motion computed without the library.
  *
  * A description holds the definitions of maggi.h with indices in place of names, so that it can be
- * copied, moved, turned and built in any order of its parts.  mech_motion computes poses, velocities
- * and accelerations of all bodies from the coordinates by the textbook formulas of moving frames:
- * nothing of core/ is used, so the tests compare two derivations.
+ * copied, moved, turned and built in any order of its parts.  mech_motion computes poses,
+ * velocities and accelerations of all bodies from the coordinates by the textbook formulas of moving
+ * frames: nothing of core/ is used, so the tests compare two derivations.
  */
 #ifndef MAGGI_TESTS_MECHANISM_H
 #define MAGGI_TESTS_MECHANISM_H
@@ -130,6 +130,9 @@ int mech_integer(mech_random *g, int n); /* 0 .. n - 1 */
 
 const char *mech_kind_text(mech_kind kind);
 
+/* body that a coordinate belongs to */
+int mech_body_of(const mechanism *m, int q);
+
 /* The mechanism of a seed; further attempts of the same seed give others of the same kind. */
 void mech_generate(uint64_t seed, int attempt, mechanism *m);
 
@@ -141,8 +144,8 @@ void mech_rotate(mechanism *m, const double R[9]);
  * physics in a turned world; number of parts dropped, or -1 when such a coordinate is guided. */
 int mech_drop_axis_bound(mechanism *m);
 
-/* Model of a mechanism.  shuffle: NULL for the order of the description, else parts of each kind are
- * added in a random order.  message of nmessage characters on failure. */
+/* Model of a mechanism.  shuffle: NULL for the order of the description, else parts of each kind
+ * are added in a random order.  message of nmessage characters on failure. */
 maggi_status mech_build(const mechanism *m, mech_random *shuffle, maggi_model **model,
                         char *message, size_t nmessage);
 
@@ -167,9 +170,11 @@ typedef struct mech_pose {
   double bias[6];
 } mech_pose;
 
-void mech_motion(const mechanism *m, const double *q, const double *v, const double *a, mech_pose *pose);
+void mech_motion(const mechanism *m, const double *q, const double *v, const double *a,
+                 mech_pose *pose);
 
-/* Point of a body (given in the drawing): position, velocity, acceleration; body may be the ground. */
+/* Point of a body (given in the drawing): position, velocity, acceleration; the ground has them
+ * too. */
 void mech_point(const mechanism *m, const mech_pose *pose, int body, const double point[3],
                 double r[3], double v[3], double a[3]);
 

@@ -1,6 +1,6 @@
 /* Motion of a description by the formulas of moving frames, from the parents to the children:
  *
- *   r = o_p + A_p (x0 - o0_p)         v = v_p + w_p × r         a = a_p + w'_p × r + w_p × (w_p × r)
+ *   r = o_p + A_p (x0 - o0_p)      v = v_p + w_p × r      a = a_p + w'_p × r + w_p × (w_p × r)
  *   shift along u:  a += 2 w × u z' + u z''        turn about u:  w' += u z'' + w × u z'
  */
 #include <math.h>
@@ -136,7 +136,8 @@ static void chain(const mech_body *body, const mech_pose *up, const double x[3],
   }
 }
 
-void mech_motion(const mechanism *m, const double *q, const double *v, const double *a, mech_pose *pose)
+void mech_motion(const mechanism *m, const double *q, const double *v, const double *a,
+                 mech_pose *pose)
 {
   static const mech_pose ground = {.A = {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0}};
   const mech_body *b;
@@ -323,8 +324,10 @@ static void spline(int n, const double *x, const double *f, double t, double y[3
   r = t < x[0] ? x[0] : t > x[n - 1] ? x[n - 1] : t;
   l = (x[i + 1] - r) / h;
   p = 1.0 - l;
-  y[0] = l * f[i] + p * f[i + 1] + ((l * l * l - l) * c[i] + (p * p * p - p) * c[i + 1]) * h * h / 6.0;
-  y[1] = (f[i + 1] - f[i]) / h + ((3.0 * p * p - 1.0) * c[i + 1] - (3.0 * l * l - 1.0) * c[i]) * h / 6.0;
+  y[0] = l * f[i] + p * f[i + 1] +
+         ((l * l * l - l) * c[i] + (p * p * p - p) * c[i + 1]) * h * h / 6.0;
+  y[1] = (f[i + 1] - f[i]) / h +
+         ((3.0 * p * p - 1.0) * c[i + 1] - (3.0 * l * l - 1.0) * c[i]) * h / 6.0;
   y[2] = r == t ? l * c[i] + p * c[i + 1] : 0.0;
   y[0] += y[1] * (t - r);
 }

@@ -696,8 +696,8 @@ Solution Oracle::solve() const
 VectorXd Oracle::imbalance(const VectorXd &x, const std::vector<Vector6d> &reaction,
                            const std::vector<Vector6d> &loop, const std::vector<double> &rod) const
 {
-  // weights, springs and loads are in Q together with the actuation of the joints, which is a part of
-  // the reactions: taken out
+  // weights, springs and loads are in Q together with the actuation of the joints, which is a part
+  // of the reactions: taken out
   VectorXd f = Q - M * x;
 
   auto apply = [&](int b, const Vector3d &r, const Vector6d &w, double sign) {
@@ -734,9 +734,10 @@ VectorXd Oracle::effort(const std::vector<Vector6d> &reaction) const
 {
   VectorXd tau(m.nq);
 
-  for (int i = 0; i < m.nbody; ++i)
-    for (int k = 0; k < m.body[i].dof; ++k)
-      tau[m.body[i].q + k] = Eigen::Map<const Vector6d>(pose[i].screw[k]).dot(reaction[i] - actuation[i]);
+  for (int i = 0; i < m.nbody; ++i) {
+    Eigen::Map<const MatrixXd> S(pose[i].screw[0], 6, m.body[i].dof);
+    tau.segment(m.body[i].q, m.body[i].dof) = S.transpose() * (reaction[i] - actuation[i]);
+  }
   return tau;
 }
 

@@ -4,8 +4,8 @@
 //   [ J  0   ] [ lambda ] = [ gamma ]         acceleration of each body, 6 numbers in global axes
 //
 // Every joint, compound ones at once, and every loop is written as scalar equations between its two
-// real bodies; a rod with mass is a body of its own between two spherical joints; a guided coordinate
-// is one more equation.  Redundant rows are found by LU with full pivoting and left out.
+// real bodies; a rod with mass is a body of its own between two spherical joints; a guided
+// coordinate is one more equation.  Redundant rows are found by LU with full pivoting and left out.
 #ifndef MAGGI_TESTS_ORACLE_HPP
 #define MAGGI_TESTS_ORACLE_HPP
 
@@ -113,7 +113,8 @@ private:
   void add_actuation();
   void push(const VectorXd &p, double right, Row::Owner owner, int id, double first = 0.0);
   void coincide(const Point &a, const Point &b, Row::Owner owner, int id);
-  void across(const Point &a, const Point &b, int frame, const Vector3d &n, Row::Owner owner, int id);
+  void across(const Point &a, const Point &b, int fixed, const Vector3d &n, Row::Owner owner,
+              int id);
   void angle(int a, const Vector3d &e, int b, const Vector3d &f, Row::Owner owner, int id);
   void force(const Point &p, const Vector3d &f);
   void moment(int b, const Vector3d &n);

@@ -1,7 +1,7 @@
 /* Laws that hold for every mechanism, on random ones: conservation of energy at the order of the
- * method, independence of place, of the axes of the world and of the order of the bodies, loops that
- * stay closed, a reduced mass matrix that is positive definite, velocities and accelerations that are
- * the derivatives of what they should be, initial values that are honoured.
+ * method, independence of place, of the axes of the world and of the order of the bodies, loops
+ * that stay closed, a reduced mass matrix that is positive definite, velocities and accelerations
+ * that are the derivatives of what they should be, initial values that are honoured.
  *
  *   property_random [--seed N] [--from N] [--count N] [--verbose]
  */
@@ -71,7 +71,8 @@ static void *room(size_t n)
 static void check_columns(const subject *s)
 {
   int n = subject_columns(s), nq = s->m.nq, rows = subject_jacobian(s, NULL), i, k, c;
-  double *R = room((size_t)(nq * n)), *phi = room((size_t)(rows * nq)), sum, worst = 0.0, open = 0.0;
+  double *R = room((size_t)(nq * n)), *phi = room((size_t)(rows * nq));
+  double sum, worst = 0.0, open = 0.0;
   state x;
 
   get(s, &x);
@@ -123,10 +124,10 @@ static void check_mass(const subject *s)
   free(M);
 }
 
-/* ------------------------------------------------------------------------------------- invariance */
+/* ---------------------------------------------------------------------------------- invariance */
 
-static void compare(uint64_t seed, const char *what_q, const char *what_v, const char *what_a, int n,
-                    const state *x, const state *y)
+static void compare(uint64_t seed, const char *what_q, const char *what_v, const char *what_a,
+                    int n, const state *x, const state *y)
 {
   report_near(seed, what_q, relative(n, x->q, y->q), 1e-9);
   report_near(seed, what_v, relative(n, x->v, y->v), 1e-9);
@@ -139,7 +140,7 @@ static void forces(subject *s, double *f)
   maggi_get_multipliers(s->data, f + 6 * s->m.nbody);
 }
 
-/* points are on a grid, so the move is exact and so must be what follows from differences of points */
+/* points are on a grid, so the move is exact, and so must be what follows from their differences */
 static void check_translation(subject *s, const state *from, const state *to, int n, double h)
 {
   static const double away[3] = {1e5, -6e4, 8e4};
@@ -151,7 +152,8 @@ static void check_translation(subject *s, const state *from, const state *to, in
   moved->m = s->m;
   mech_translate(&moved->m, away);
   if (subject_build(moved, NULL) &&
-      report_true(s->m.seed, "100 km away: state is set", subject_set(moved, 0.0, from->q, from->v))) {
+      report_true(s->m.seed, "100 km away: state is set",
+                  subject_set(moved, 0.0, from->q, from->v))) {
     get(moved, &x);
     report_near(s->m.seed, "100 km away: accelerations at the start",
                 relative(s->m.nq, x.a, from->a), 1e-9);
@@ -179,7 +181,8 @@ static void check_order(const subject *s, const state *from, const state *to, in
 
   other->m = s->m;
   if (subject_build(other, &g) &&
-      report_true(s->m.seed, "other order: state is set", subject_set(other, 0.0, from->q, from->v))) {
+      report_true(s->m.seed, "other order: state is set",
+                  subject_set(other, 0.0, from->q, from->v))) {
     get(other, &x);
     for (i = 0; i < s->m.nq; ++i)
       same = same && maggi_coordinate_is_independent(s->data, s->q[i]) ==
@@ -281,7 +284,7 @@ static void check_rotation(const subject *s, const state *from, const state *to,
   free(plain);
 }
 
-/* ------------------------------------------------------------------------------------- derivatives */
+/* --------------------------------------------------------------------------------- derivatives */
 
 /* piecewise linear dampers and C2 functions of time lower the order where they bend */
 static int is_smooth(const mechanism *m)
@@ -303,8 +306,9 @@ static double derivative(const double y[5], double h)
   return (y[0] - 8.0 * y[1] + 8.0 * y[3] - y[4]) / (12.0 * h);
 }
 
-/* Truncation h^4 and the error of the method are below 1e-7 for frequencies up to 100 rad/s, round-off
- * and projection are 1e-13/h; where dampers and functions bend, z'' is known to the bend times h only. */
+/* Truncation h^4 and the error of the method are below 1e-7 for frequencies up to 100 rad/s,
+ * round-off and projection are 1e-13/h; where dampers and functions bend, the derivative of z' is
+ * known to the bend times h only. */
 static void check_derivatives(subject *s, const state *from)
 {
   state *x = room(5 * sizeof *x / sizeof(double));
@@ -333,14 +337,14 @@ static void check_derivatives(subject *s, const state *from)
   free(x);
 }
 
-/* ------------------------------------------------------------------------------------------ energy */
+/* -------------------------------------------------------------------------------------- energy */
 
 /* largest change of kinetic + potential - work over n steps, relative to the energies in play;
  * -1 after a failure */
 static double energy_drift(subject *s, const state *from, int n, double h)
 {
   maggi_energy e, e0;
-  double worst = 0.0, scale = 1.0;
+  double change, worst = 0.0, scale = 1.0;
   int i;
 
   if (!report_true(s->m.seed, "the start is set again", subject_set(s, from->t, from->q, from->v)))
@@ -350,14 +354,16 @@ static double energy_drift(subject *s, const state *from, int n, double h)
     if (!subject_steps(s, 1, h))
       return -1.0;
     maggi_get_energy(s->data, &e);
-    worst = fmax(worst, fabs(e.kinetic + e.potential - e.work - e0.kinetic - e0.potential + e0.work));
+    change = e.kinetic - e0.kinetic + e.potential - e0.potential - e.work + e0.work;
+    worst = fmax(worst, fabs(change));
     scale = fmax(scale, e.kinetic + fabs(e.potential - e0.potential) + fabs(e.work));
   }
   return worst / scale;
 }
 
-/* Drift at steps h, h/2, h/4: small at the last; the mean of both ratios is 1/16 for order 4 and 1/8
- * for order 3, which shows unless round-off has been reached.  Bends lower the order where they are. */
+/* Drift at steps h, h/2, h/4: small at the last; the mean of both ratios is 1/16 for order 4 and
+ * 1/8 for order 3, which shows unless round-off has been reached.  Bends lower the order where they
+ * are. */
 static void check_energy(subject *s, const state *from)
 {
   double e[3], floor = 2e-12;
@@ -376,7 +382,7 @@ static void check_energy(subject *s, const state *from)
                 sqrt(fmax(0.0, e[2] - floor) / e[0]), 0.1);
 }
 
-/* ----------------------------------------------------------------------------------- initial values */
+/* ------------------------------------------------------------------------------ initial values */
 
 static void check_initial(const subject *s, const state *from)
 {
@@ -404,8 +410,10 @@ static void check_initial(const subject *s, const state *from)
   if (subject_build(other, NULL) &&
       report_true(s->m.seed, "given initial values: reset succeeds", subject_reset(other))) {
     get(other, &x);
-    report_near(s->m.seed, "given initial values: positions", distance(s->m.nq, x.q, from->q), 1e-10);
-    report_near(s->m.seed, "given initial values: velocities", distance(s->m.nq, x.v, from->v), 1e-9);
+    report_near(s->m.seed, "given initial values: positions",
+                distance(s->m.nq, x.q, from->q), 1e-10);
+    report_near(s->m.seed, "given initial values: velocities",
+                distance(s->m.nq, x.v, from->v), 1e-9);
     report_near(s->m.seed, "given initial values: accelerations",
                 relative(s->m.nq, x.a, from->a), 1e-9);
     for (i = 0; i < s->m.nq; ++i)
@@ -417,7 +425,7 @@ static void check_initial(const subject *s, const state *from)
   free(other);
 }
 
-/* -------------------------------------------------------------------------------------------- main */
+/* ---------------------------------------------------------------------------------------- main */
 
 static void check_seed(uint64_t seed, int verbose)
 {

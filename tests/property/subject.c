@@ -13,8 +13,8 @@ enum { ATTEMPTS = 25 };
 
 /* largest velocity of a coordinate at the start [rad/s, m/s] */
 static const double fastest = 1.5;
-/* a loop is close to singular when unit independent velocities make dependent ones this large, and a
- * guide drives it too fast when its own velocity does */
+/* a loop is close to singular when unit independent velocities make dependent ones this large, and
+ * a guide drives it too fast when its own velocity does */
 static const double largest_ratio = 20.0, too_fast = 4.0;
 
 static void say(const subject *s, const char *what, const char *message)

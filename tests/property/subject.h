@@ -1,5 +1,5 @@
-/* A random mechanism in the library: model, simulation, and views on its inside that the tests need.
- * All coordinates and bodies are in the order of the description. */
+/* A random mechanism in the library: model, simulation, and views on its inside that the tests
+ * need.  All coordinates and bodies are in the order of the description. */
 #ifndef MAGGI_TESTS_SUBJECT_H
 #define MAGGI_TESTS_SUBJECT_H
 
@@ -21,7 +21,8 @@ typedef struct subject {
 } subject;
 
 /* A mechanism that moves, with random velocities at t = 0; 0 after a failure, which is reported.
- * Mechanisms that cannot move or whose loops are close to singular are generated anew and counted. */
+ * Mechanisms that cannot move, are close to singular or forced by guides are made anew and
+ * counted. */
 int subject_create(uint64_t seed, subject *s);
 /* model and simulation of s->m; 0 after a failure, which is reported */
 int subject_build(subject *s, mech_random *shuffle);
