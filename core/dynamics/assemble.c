@@ -24,10 +24,9 @@ static void newton_step(maggi_data *d)
   const maggi_topo *t = &d->t;
   int i;
 
-  for (i = 0; i < t->nrow; ++i)
-    d->gam[i] = -d->res[i];
-  maggi_island_vector(t, d->prim0, (void *)d->r, (void *)d->dir, (void *)d->b,
-                      d->phi, d->chol, d->gam, d->v1, d->y1, d->dq, d->space);
+  for (i = 0; i < t->nrow; ++i) d->gam[i] = -d->res[i];
+  maggi_island_vector(t, d->prim0, (void *)d->r, (void *)d->dir, (void *)d->b, d->phi, d->chol,
+                      d->gam, d->v1, d->y1, d->dq, d->space);
 }
 
 static void move(maggi_data *d, double factor)
@@ -44,8 +43,7 @@ static double largest_move(const maggi_data *d)
   int i;
 
   for (i = 0; i < d->t.ndep; ++i) {
-    if (isnan(d->dq[d->t.dep[i]]))
-      return NAN;
+    if (isnan(d->dq[d->t.dep[i]])) return NAN;
     largest = fmax(largest, fabs(d->dq[d->t.dep[i]]));
   }
   return largest;
@@ -60,10 +58,9 @@ static maggi_status fail_assembly(maggi_data *d, double violation)
 {
   int loop = maggi_worst_loop(d);
 
-  return maggi_data_fail(d, MAGGI_E_ASSEMBLY,
-                         "%s \"%s\" cannot be closed in the initial position: %.3g remain open",
-                         strcmp(d->m->loop[loop].kind, "rod") == 0 ? "rod" : "loop",
-                         d->m->loop[loop].name, violation);
+  return maggi_data_fail(
+      d, MAGGI_E_ASSEMBLY, "%s \"%s\" cannot be closed in the initial position: %.3g remain open",
+      strcmp(d->m->loop[loop].kind, "rod") == 0 ? "rod" : "loop", d->m->loop[loop].name, violation);
 }
 
 /* round-off of the loop equations, with lengths of the model as the scale */
@@ -73,8 +70,7 @@ static double roundoff(const maggi_data *d)
   int i, k;
 
   for (i = 0; i < d->t.npointdyn; ++i)
-    for (k = 0; k < 3; ++k)
-      largest = fmax(largest, fabs(d->r[i][k]));
+    for (k = 0; k < 3; ++k) largest = fmax(largest, fabs(d->r[i][k]));
   return 4.0 * DBL_EPSILON * largest;
 }
 
@@ -92,12 +88,10 @@ static maggi_status newton(maggi_data *d, double time, int avoid, int relaxed, d
   for (i = 0; i < ASSEMBLY_ITERATIONS && !(*violation <= roundoff(d)); ++i) {
     if (isnan(*violation))
       return maggi_data_fail(d, MAGGI_E_NOT_FINITE, "the initial position is not finite");
-    if (relaxed)
-      d->rank_tolerance = fmin(fmax(*violation, MAGGI_RANK_TOLERANCE), 0.05);
+    if (relaxed) d->rank_tolerance = fmin(fmax(*violation, MAGGI_RANK_TOLERANCE), 0.05);
     status = maggi_plan(d, avoid, 0.5);
     d->rank_tolerance = MAGGI_RANK_TOLERANCE;
-    if (status != MAGGI_OK)
-      return status;
+    if (status != MAGGI_OK) return status;
     newton_step(d);
     remember(d);
     before = *violation;
@@ -107,8 +101,7 @@ static maggi_status newton(maggi_data *d, double time, int avoid, int relaxed, d
       move(d, factor);
       maggi_evaluate_positions(d, time);
       *violation = maggi_violation(d);
-      if (*violation < before)
-        break;
+      if (*violation < before) break;
       factor *= 0.5;
     }
     if (k == HALVINGS) {
@@ -144,10 +137,8 @@ static maggi_status assemble(maggi_data *d, double time, int avoid)
       if (!(avoid & MAGGI_KEEP_POSITION) || !d->position_given[i])
         d->q[i] = d->dqs[i] + spread * scattered(&seed);
     status = newton(d, time, avoid, n % 2, &violation);
-    if (status != MAGGI_OK)
-      return status;
-    if (violation <= d->tolerance)
-      return MAGGI_OK;
+    if (status != MAGGI_OK) return status;
+    if (violation <= d->tolerance) return MAGGI_OK;
     if (violation < least) {
       least = violation;
       memcpy(d->dus, d->q, bytes);
@@ -164,8 +155,7 @@ static int is_position_dependent(const maggi_data *d)
   int i;
 
   for (i = 0; i < d->t.ndep; ++i)
-    if (d->position_given[d->t.dep[i]])
-      return 1;
+    if (d->position_given[d->t.dep[i]]) return 1;
   return 0;
 }
 
@@ -178,17 +168,14 @@ static void settle(maggi_data *d, double time)
   int i, n;
 
   memcpy(d->dus, d->q, (size_t)t->nq * sizeof(double));
-  for (i = 0; i < t->nind; ++i)
-    d->q[t->colq[i]] = d->dqs[t->colq[i]];
+  for (i = 0; i < t->nind; ++i) d->q[t->colq[i]] = d->dqs[t->colq[i]];
   maggi_evaluate_positions(d, time);
   for (n = 0; n < PROJECTION_ITERATIONS; ++n) {
     violation = maggi_violation(d);
-    if (!(violation > roundoff(d)))
-      break;
+    if (!(violation > roundoff(d))) break;
     maggi_evaluate_factors(d);
     newton_step(d);
-    if (!(largest_move(d) < assembly_step))
-      break;
+    if (!(largest_move(d) < assembly_step)) break;
     remember(d);
     move(d, 1.0);
     maggi_evaluate_positions(d, time);
@@ -205,8 +192,7 @@ static const char *coordinate_name(const maggi_data *d, int q)
   int i;
 
   for (i = 0; i < d->m->ncoordinate; ++i)
-    if (d->m->coordinate[i].q == q)
-      return d->m->coordinate[i].name;
+    if (d->m->coordinate[i].q == q) return d->m->coordinate[i].name;
   return "";
 }
 
@@ -216,12 +202,10 @@ static maggi_status check_velocities(maggi_data *d)
   double given, scale = 0.0;
   int i, q;
 
-  for (i = 0; i < d->t.nq; ++i)
-    scale = fmax(scale, fabs(d->v[i]));
+  for (i = 0; i < d->t.nq; ++i) scale = fmax(scale, fabs(d->v[i]));
   for (i = 0; i < d->t.ndep; ++i) {
     q = d->t.dep[i];
-    if (!d->velocity_given[q] || d->m->initial_velocity[q] < 0)
-      continue;
+    if (!d->velocity_given[q] || d->m->initial_velocity[q] < 0) continue;
     given = d->p[d->m->initial_velocity[q]];
     if (!(fabs(given - d->v[q]) <= 1e-6 * fmax(scale, fabs(given))))
       return maggi_data_fail(d, MAGGI_E_ASSEMBLY,
@@ -242,8 +226,10 @@ static maggi_status check_constants(maggi_data *d)
       if (!isfinite(d->axis0[i][k]) || !isfinite(d->offset0[i][k])) {
         for (body = 0; body < d->m->nbody - 1 && d->m->body[body].body != i; ++body)
           ;
-        return maggi_data_fail(d, MAGGI_E_VALUE, "a joint axis of the model has no direction (body "
-                               "\"%s\")", d->m->body[body].name);
+        return maggi_data_fail(d, MAGGI_E_VALUE,
+                               "a joint axis of the model has no direction (body "
+                               "\"%s\")",
+                               d->m->body[body].name);
       }
   for (i = 0; i < t->ndir; ++i)
     for (k = 0; k < 3; ++k)
@@ -284,25 +270,19 @@ maggi_status maggi_data_reset(maggi_data *d)
   d->message[0] = '\0';
   maggi_constants(d);
   status = check_constants(d);
-  if (status != MAGGI_OK)
-    return status;
+  if (status != MAGGI_OK) return status;
   for (i = 0; i < d->t.nq; ++i)
-    if (m->initial_position[i] >= 0)
-      d->q[i] = d->p[m->initial_position[i]];
+    if (m->initial_position[i] >= 0) d->q[i] = d->p[m->initial_position[i]];
   status = assemble(d, 0.0, MAGGI_KEEP_POSITION);
-  if (status == MAGGI_OK)
-    status = maggi_plan(d, MAGGI_AVOID_GIVEN, 0.1);
-  if (status != MAGGI_OK)
-    return status;
-  if (!is_position_dependent(d))
-    settle(d, 0.0);
+  if (status == MAGGI_OK) status = maggi_plan(d, MAGGI_AVOID_GIVEN, 0.1);
+  if (status != MAGGI_OK) return status;
+  if (!is_position_dependent(d)) settle(d, 0.0);
   for (i = 0; i < d->t.nind; ++i) {
     q = d->t.colq[i];
     d->vcol[i] = d->velocity_given[q] ? d->p[m->initial_velocity[q]] : 0.0;
   }
   status = complete(d, 0.0);
-  if (status == MAGGI_OK)
-    status = check_velocities(d);
+  if (status == MAGGI_OK) status = check_velocities(d);
   d->ready = status == MAGGI_OK;
   return status;
 }
@@ -315,12 +295,10 @@ maggi_status maggi_data_set_state(maggi_data *d, double t, const double *q, cons
 
   d->ready = 0;
   d->message[0] = '\0';
-  if (!isfinite(t))
-    return maggi_data_fail(d, MAGGI_E_VALUE, "the time must be finite");
+  if (!isfinite(t)) return maggi_data_fail(d, MAGGI_E_VALUE, "the time must be finite");
   maggi_constants(d);
   status = check_constants(d);
-  if (status != MAGGI_OK)
-    return status;
+  if (status != MAGGI_OK) return status;
   for (i = 0; i < m->ncoordinate; ++i) {
     if (!isfinite(q[i]) || !isfinite(v[i]))
       return maggi_data_fail(d, MAGGI_E_VALUE, "the state of \"%s\" must be finite",
@@ -329,13 +307,10 @@ maggi_status maggi_data_set_state(maggi_data *d, double t, const double *q, cons
     d->v[m->coordinate[i].q] = v[i];
   }
   status = assemble(d, t, 0);
-  if (status == MAGGI_OK)
-    status = maggi_plan(d, 0, 0.1);
-  if (status != MAGGI_OK)
-    return status;
+  if (status == MAGGI_OK) status = maggi_plan(d, 0, 0.1);
+  if (status != MAGGI_OK) return status;
   settle(d, t);
-  for (i = 0; i < d->t.nind; ++i)
-    d->vcol[i] = d->v[d->t.colq[i]];
+  for (i = 0; i < d->t.nind; ++i) d->vcol[i] = d->v[d->t.colq[i]];
   return complete(d, t);
 }
 
@@ -345,10 +320,9 @@ static maggi_status fail_lockup(maggi_data *d, double time)
 {
   int loop = maggi_worst_loop(d);
 
-  return maggi_data_fail(d, MAGGI_E_LOCKUP,
-                         "t = %.6g s: the mechanism locks up: %s \"%s\" cannot stay closed", time,
-                         strcmp(d->m->loop[loop].kind, "rod") == 0 ? "rod" : "loop",
-                         d->m->loop[loop].name);
+  return maggi_data_fail(
+      d, MAGGI_E_LOCKUP, "t = %.6g s: the mechanism locks up: %s \"%s\" cannot stay closed", time,
+      strcmp(d->m->loop[loop].kind, "rod") == 0 ? "rod" : "loop", d->m->loop[loop].name);
 }
 
 /* close to a singular position the loops are kept closed to round-off */
@@ -365,15 +339,14 @@ maggi_status maggi_project(maggi_data *d, double time)
   violation = maggi_violation(d);
   if (isnan(violation))
     return maggi_data_fail(d, MAGGI_E_NOT_FINITE,
-                           "t = %.6g s: the positions are not finite; is the step too large?", time);
+                           "t = %.6g s: the positions are not finite; is the step too large?",
+                           time);
   tolerance = fmax(d->pivot_ratio < singular_below ? 0.0 : d->tolerance, roundoff(d));
   for (i = 0; violation > tolerance; ++i) {
-    if (i == PROJECTION_ITERATIONS)
-      return fail_lockup(d, time);
+    if (i == PROJECTION_ITERATIONS) return fail_lockup(d, time);
     maggi_evaluate_factors(d);
     maggi_smallest_pivot(d, &d->stage_ratio, &dep);
-    if (maggi_is_singular(d))
-      break;
+    if (maggi_is_singular(d)) break;
     newton_step(d);
     ++d->projections;
     remember(d);
@@ -387,8 +360,7 @@ maggi_status maggi_project(maggi_data *d, double time)
       return fail_lockup(d, time);
     }
     /* round-off of a bad position: as good as it gets */
-    if (violation <= d->tolerance && violation > 0.5 * before)
-      break;
+    if (violation <= d->tolerance && violation > 0.5 * before) break;
   }
   return MAGGI_OK;
 }
@@ -410,10 +382,8 @@ maggi_status maggi_check(maggi_data *d, double time)
                              time, coordinate_name(d, t->colq[i]));
   }
   for (i = 0; i < t->nq; ++i) {
-    if (isfinite(d->a[i]) && isfinite(d->v[i]))
-      continue;
-    if (t->ndep > 0 && !(d->pivot_ratio > 1e-6))
-      return fail_lockup(d, time);
+    if (isfinite(d->a[i]) && isfinite(d->v[i])) continue;
+    if (t->ndep > 0 && !(d->pivot_ratio > 1e-6)) return fail_lockup(d, time);
     return maggi_data_fail(d, MAGGI_E_NOT_FINITE,
                            "t = %.6g s: the motion of \"%s\" is not finite; is the step too large?",
                            time, coordinate_name(d, i));

@@ -21,18 +21,13 @@ static int pool_room(maggi_planner *pl, int n)
   int cap = pl->cappool ? pl->cappool : 1024, *q;
   double *c;
 
-  if (pl->npool + n <= pl->cappool)
-    return 1;
-  while (cap < pl->npool + n)
-    cap *= 2;
+  if (pl->npool + n <= pl->cappool) return 1;
+  while (cap < pl->npool + n) cap *= 2;
   q = realloc(pl->poolq, (size_t)cap * sizeof *q);
-  if (q)
-    pl->poolq = q;
+  if (q) pl->poolq = q;
   c = realloc(pl->poolc, (size_t)cap * sizeof *c);
-  if (c)
-    pl->poolc = c;
-  if (!q || !c)
-    return 0;
+  if (c) pl->poolc = c;
+  if (!q || !c) return 0;
   pl->cappool = cap;
   return 1;
 }
@@ -55,13 +50,11 @@ static int list_candidates(maggi_data *d, int loop)
 
   for (i = t->pathadr[loop]; i < t->pathadr[loop + 1]; ++i) {
     q = t->pathq[i];
-    if (t->qguide[q] >= 0)
-      continue;
+    if (t->qguide[q] >= 0) continue;
     if (pl->owner[q] < 0)
       column_of(pl, q, &n);
     else
-      for (k = 0; k < pl->row[q].n; ++k)
-        column_of(pl, pl->poolq[pl->row[q].begin + k], &n);
+      for (k = 0; k < pl->row[q].n; ++k) column_of(pl, pl->poolq[pl->row[q].begin + k], &n);
   }
   return n;
 }
@@ -88,8 +81,7 @@ static double model_size(const maggi_data *d)
   int i, k;
 
   for (i = 0; i < d->t.npointdyn; ++i)
-    for (k = 0; k < 3; ++k)
-      size = fmax(size, fabs(d->r[i][k] - d->x[d->t.nbody][k]));
+    for (k = 0; k < 3; ++k) size = fmax(size, fabs(d->r[i][k] - d->x[d->t.nbody][k]));
   return size;
 }
 
@@ -107,8 +99,7 @@ static double fill_matrix(maggi_data *d, int loop, int n, double size, int *rows
     *rows += nrow;
     for (i = t->pathadr[loop]; i < t->pathadr[loop + 1]; ++i) {
       q = t->pathq[i];
-      if (t->qguide[q] >= 0)
-        continue;
+      if (t->qguide[q] >= 0) continue;
       maggi_prim_entry(t->primkind[prim], t->pathside[i], d->prim0[prim], d->b[t->qbody[q]],
                        d->r[t->primpa[prim]], d->r[t->primpb[prim]], d->dir[t->primda[prim]],
                        d->dir[t->primdb[prim]], e);
@@ -131,8 +122,7 @@ static double fill_matrix(maggi_data *d, int loop, int n, double size, int *rows
  * position */
 static int reluctance(const maggi_data *d, int avoid, int q)
 {
-  if (!(avoid & MAGGI_AVOID_GIVEN))
-    return 0;
+  if (!(avoid & MAGGI_AVOID_GIVEN)) return 0;
   return d->velocity_given[q] ? 2 : d->position_given[q] ? 1 : 0;
 }
 
@@ -146,8 +136,7 @@ static int least_reach(const maggi_data *d, int avoid, int level, double limit, 
 
   for (c = 0; c < n; ++c) {
     q = pl->columnq[c];
-    if (size[c] == 0.0 || size[c] < limit || reluctance(d, avoid, q) > level)
-      continue;
+    if (size[c] == 0.0 || size[c] < limit || reluctance(d, avoid, q) > level) continue;
     if (best < 0 || reach[q] < reach[bestq] || (reach[q] == reach[bestq] && size[c] > size[best])) {
       best = c;
       bestq = q;
@@ -166,8 +155,7 @@ static int choose_column(const maggi_data *d, int avoid, double threshold, const
   for (level = 0;; ++level) {
     most = 0.0;
     for (c = 0; c < n; ++c)
-      if (reluctance(d, avoid, d->planner->columnq[c]) <= level)
-        most = fmax(most, size[c]);
+      if (reluctance(d, avoid, d->planner->columnq[c]) <= level) most = fmax(most, size[c]);
     if (most >= avoid_threshold * largest)
       return least_reach(d, avoid, level, threshold * most, size, n);
   }
@@ -185,33 +173,26 @@ static int eliminate(maggi_data *d, int avoid, double threshold, int rows, int n
     largest = 0.0;
     for (c = 0; c < n; ++c) {
       size[c] = 0.0;
-      if ((avoid & MAGGI_KEEP_POSITION) && d->position_given[pl->columnq[c]])
-        continue;
-      for (i = rank; i < rows; ++i)
-        size[c] = fmax(size[c], fabs(m[i * n + c]));
+      if ((avoid & MAGGI_KEEP_POSITION) && d->position_given[pl->columnq[c]]) continue;
+      for (i = rank; i < rows; ++i) size[c] = fmax(size[c], fabs(m[i * n + c]));
       largest = fmax(largest, size[c]);
     }
-    if (!(largest > d->rank_tolerance * scale))
-      break;
+    if (!(largest > d->rank_tolerance * scale)) break;
     col = choose_column(d, avoid, threshold, size, n, largest);
     at = rank;
     for (i = rank + 1; i < rows; ++i)
-      if (fabs(m[i * n + col]) > fabs(m[at * n + col]))
-        at = i;
+      if (fabs(m[i * n + col]) > fabs(m[at * n + col])) at = i;
     for (c = 0; c < n; ++c) {
       f = m[at * n + c];
       m[at * n + c] = m[rank * n + c];
       m[rank * n + c] = f;
     }
     f = 1.0 / m[rank * n + col];
-    for (c = 0; c < n; ++c)
-      m[rank * n + c] *= f;
+    for (c = 0; c < n; ++c) m[rank * n + c] *= f;
     for (i = 0; i < rows; ++i) {
       f = m[i * n + col];
-      if (i == rank || f == 0.0)
-        continue;
-      for (c = 0; c < n; ++c)
-        m[i * n + c] -= f * m[rank * n + c];
+      if (i == rank || f == 0.0) continue;
+      for (c = 0; c < n; ++c) m[i * n + c] -= f * m[rank * n + c];
       m[i * n + col] = 0.0;
     }
     pivots[rank] = col;
@@ -226,17 +207,14 @@ static int write_rows(maggi_planner *pl, int n, int rank, const int *pivots)
   int i, c, k, q, is_pivot;
 
   for (i = 0; i < rank; ++i) {
-    if (!pool_room(pl, n))
-      return 0;
+    if (!pool_room(pl, n)) return 0;
     q = pl->columnq[pivots[i]];
     pl->row[q].begin = pl->npool;
     for (c = 0; c < n; ++c) {
       is_pivot = 0;
-      for (k = 0; k < rank; ++k)
-        is_pivot = is_pivot || pivots[k] == c;
+      for (k = 0; k < rank; ++k) is_pivot = is_pivot || pivots[k] == c;
       v = -pl->matrix[i * n + c];
-      if (is_pivot || v == 0.0)
-        continue;
+      if (is_pivot || v == 0.0) continue;
       pl->poolq[pl->npool] = pl->columnq[c];
       pl->poolc[pl->npool++] = v;
     }
@@ -252,13 +230,11 @@ static int substitute(maggi_data *d, int loop)
   int nq = d->t.nq, i, j, k, q, n, hit;
 
   for (i = 0; i < nq; ++i) {
-    if (pl->owner[i] < 0 || pl->owner[i] == loop)
-      continue;
+    if (pl->owner[i] < 0 || pl->owner[i] == loop) continue;
     hit = 0;
     for (j = pl->row[i].begin; j < pl->row[i].begin + pl->row[i].n; ++j)
       hit = hit || pl->owner[pl->poolq[j]] >= 0;
-    if (!hit)
-      continue;
+    if (!hit) continue;
     n = 0;
     for (j = pl->row[i].begin; j < pl->row[i].begin + pl->row[i].n; ++j) {
       q = pl->poolq[j];
@@ -278,8 +254,7 @@ static int substitute(maggi_data *d, int loop)
       for (k = pl->row[q].begin; k < pl->row[q].begin + pl->row[q].n; ++k)
         pl->sum[pl->candidate[pl->poolq[k]]] += pl->poolc[j] * pl->poolc[k];
     }
-    if (!pool_room(pl, n))
-      return 0;
+    if (!pool_room(pl, n)) return 0;
     pl->row[i].begin = pl->npool;
     pl->row[i].n = n;
     for (k = 0; k < n; ++k) {
@@ -300,29 +275,24 @@ maggi_status maggi_choose(maggi_data *d, int avoid, double threshold)
   size_t need;
 
   pl->npool = 0;
-  for (i = 0; i < t->nq; ++i)
-    pl->owner[i] = pl->candidate[i] = -1;
+  for (i = 0; i < t->nq; ++i) pl->owner[i] = pl->candidate[i] = -1;
   for (i = 0; i < t->nloop; ++i) {
     loop = pl->order[i];
     n = list_candidates(d, loop);
     need = (size_t)n * ROWS_MAX;
     if (need > pl->capmatrix) {
       bigger = realloc(pl->matrix, (2 * need + 256) * sizeof *bigger);
-      if (!bigger)
-        return maggi_data_fail(d, MAGGI_E_MEMORY, "out of memory");
+      if (!bigger) return maggi_data_fail(d, MAGGI_E_MEMORY, "out of memory");
       pl->matrix = bigger;
       pl->capmatrix = 2 * need + 256;
     }
-    if (need > 0)
-      memset(pl->matrix, 0, need * sizeof *pl->matrix);
+    if (need > 0) memset(pl->matrix, 0, need * sizeof *pl->matrix);
     scale = fill_matrix(d, loop, n, size, &rows);
     pl->rank[loop] = eliminate(d, avoid, threshold, rows, n, scale, pivots);
     if (!write_rows(pl, n, pl->rank[loop], pivots))
       return maggi_data_fail(d, MAGGI_E_MEMORY, "out of memory");
-    for (c = 0; c < n; ++c)
-      pl->candidate[pl->columnq[c]] = -1;
-    for (k = 0; k < pl->rank[loop]; ++k)
-      pl->owner[pl->columnq[pivots[k]]] = loop;
+    for (c = 0; c < n; ++c) pl->candidate[pl->columnq[c]] = -1;
+    for (k = 0; k < pl->rank[loop]; ++k) pl->owner[pl->columnq[pivots[k]]] = loop;
     if (pl->rank[loop] > 0 && !substitute(d, loop))
       return maggi_data_fail(d, MAGGI_E_MEMORY, "out of memory");
   }

@@ -23,23 +23,19 @@ static double *numbers(size_t n)
   size_t size = (n * sizeof(double) + 127) / 64 * 64;
   double *a = aligned_alloc(64, size);
 
-  if (a)
-    memset(a, 0, size);
+  if (a) memset(a, 0, size);
   return a;
 }
 
 /* the sizes named in the lists */
 static size_t size_of(const char *name, const maggi_topo *t)
 {
-  if (strcmp(name, "nbody1") == 0)
-    return (size_t)t->nbody + 1;
+  if (strcmp(name, "nbody1") == 0) return (size_t)t->nbody + 1;
   if (strcmp(name, "nqblock") == 0)
     return ((size_t)t->nq + MAGGI_WIDTH - 1) / MAGGI_WIDTH * MAGGI_WIDTH;
-  if (strcmp(name, "nq16") == 0)
-    return (size_t)t->nq * MAGGI_WIDTH * 2;
+  if (strcmp(name, "nq16") == 0) return (size_t)t->nq * MAGGI_WIDTH * 2;
 #define X(size, text)                                                                              \
-  if (strcmp(name, #size) == 0)                                                                    \
-    return (size_t)t->size;
+  if (strcmp(name, #size) == 0) return (size_t)t->size;
   MAGGI_TOPO_SIZES(X)
 #undef X
   return 0;
@@ -53,16 +49,14 @@ maggi_status maggi_data_create(const maggi_model *m, maggi_data **data)
 
   *data = NULL;
   d = calloc(1, sizeof *d);
-  if (!d)
-    return MAGGI_E_MEMORY;
+  if (!d) return MAGGI_E_MEMORY;
   d->m = m;
   d->t = m->topo;
   d->tolerance = 1e-10;
   d->rank_tolerance = MAGGI_RANK_TOLERANCE;
   d->position_given = calloc(nq, sizeof(int));
   d->velocity_given = calloc(nq, sizeof(int));
-  ok = d->position_given && d->velocity_given &&
-       maggi_planner_create(m, &d->planner) == MAGGI_OK;
+  ok = d->position_given && d->velocity_given && maggi_planner_create(m, &d->planner) == MAGGI_OK;
 #define X(name, rows, cols, text)                                                                  \
   d->name = (double(*)[cols])numbers(size_of(#rows, &d->t) * cols);                                \
   ok = ok && d->name;
@@ -77,8 +71,7 @@ maggi_status maggi_data_create(const maggi_model *m, maggi_data **data)
     maggi_data_free(d);
     return MAGGI_E_MEMORY;
   }
-  for (i = 0; i < m->nparameter; ++i)
-    d->p[i] = m->parameter[i].value;
+  for (i = 0; i < m->nparameter; ++i) d->p[i] = m->parameter[i].value;
   memcpy(d->position_given, m->position_given, (nq - 1) * sizeof(int));
   memcpy(d->velocity_given, m->velocity_given, (nq - 1) * sizeof(int));
   *data = d;
@@ -87,8 +80,7 @@ maggi_status maggi_data_create(const maggi_model *m, maggi_data **data)
 
 void maggi_data_free(maggi_data *d)
 {
-  if (!d)
-    return;
+  if (!d) return;
 #define X(name, rows, cols, text) free(d->name);
   MAGGI_DATA_LIST(X)
 #undef X
@@ -122,10 +114,8 @@ maggi_status maggi_data_fit(maggi_data *d)
 #define X(name, size, text) ok = fit(&d->name, &d->cap##name, (size_t)t->size) && ok;
   MAGGI_PLAN_VECTORS(X)
 #undef X
-  if (!ok)
-    return maggi_data_fail(d, MAGGI_E_MEMORY, "out of memory");
-  for (i = 0; i < t->ncol; ++i)
-    d->R[t->colq[i] * t->stride + i] = 1.0;
+  if (!ok) return maggi_data_fail(d, MAGGI_E_MEMORY, "out of memory");
+  for (i = 0; i < t->ncol; ++i) d->R[t->colq[i] * t->stride + i] = 1.0;
   memset(d->ab, 0, (size_t)t->nq * sizeof(double));
   memset(d->dq, 0, (size_t)t->nq * sizeof(double));
   return MAGGI_OK;
@@ -143,8 +133,7 @@ maggi_status maggi_data_set_parameter(maggi_data *d, int index, double value)
   if (index < 0 || index >= d->m->nparameter)
     return maggi_data_fail(d, MAGGI_E_NAME, "no parameter has the index %d", index);
   p = &d->m->parameter[index];
-  if (!isfinite(value))
-    return maggi_data_fail(d, MAGGI_E_VALUE, "%s must be finite", p->path);
+  if (!isfinite(value)) return maggi_data_fail(d, MAGGI_E_VALUE, "%s must be finite", p->path);
   if (p->bound == MAGGI_BOUND_NOT_NEGATIVE && value < 0.0)
     return maggi_data_fail(d, MAGGI_E_VALUE, "%s must not be negative (%g)", p->path, value);
   if (p->bound == MAGGI_BOUND_NOT_POSITIVE && value > 0.0)

@@ -9,89 +9,89 @@
 
 /* name, rows, columns: what the model alone sizes */
 #define MAGGI_DATA_LIST(X)                                                                         \
-  /* from p, by maggi_constants */                                                                \
-  X(offset0, nbody, 3, "joint point from that of the parent, initial axes [m]")                   \
-  X(axis0, nbody, 3, "unit axis of the joint, initial")                                           \
-  X(body0, nbody, 10, "inertia about the joint point, initial axes")                              \
-  X(point0, npoint, 3, "points from the joint point of their body [m]")                           \
-  X(dir0, ndir, 3, "unit vectors, initial")                                                       \
-  X(spline0, nspline, 3, "splines: second derivatives and elimination")                           \
-  /* by maggi_evaluate */                                                                         \
-  X(fun, nfun, 3, "functions of time: value, first and second derivative")                        \
-  X(A, nbody1, 9, "rotation of a body since the initial position")                                \
-  X(x, nbody1, 3, "joint point from P, global axes [m]")                                          \
-  X(b, nbody, 6, "velocity of a body by its coordinate")                                          \
-  X(r, npoint, 3, "points from P [m]")                                                            \
-  X(dir, ndir, 3, "unit vectors")                                                                 \
-  X(Z, nbody1, 6, "velocity of a body at P [m/s, rad/s]")                                         \
-  X(Z0, nbody1, 6, "acceleration less gravity with all joint accelerations zero")                 \
-  X(W, nbody1, 6, "acceleration by those of the dependent coordinates")                           \
-  X(Zb, nbody1, 6, "Z0 + W")                                                                      \
-  X(rv, npoint, 3, "velocities of points [m/s]")                                                  \
-  X(r0a, npoint, 3, "accelerations of points by Z0")                                              \
-  X(rba, npoint, 3, "accelerations of points by Zb")                                              \
-  X(I, nbody, 10, "inertia at P: mass, first moment, J")                                          \
-  X(IS, nbody1, 10, "the same of the whole subtree")                                              \
-  X(F, nbody1, 6, "inertia forces at P, with a minus")                                            \
-  X(Q, nbody1, 6, "forces of elements at P")                                                      \
-  X(FS, nbody1, 6, "F + Q of the whole subtree")                                                  \
-  X(Fb, nq, 6, "IS b")                                                                            \
-  X(rodjac, nrodjac, 3, "velocity of ends of rods by coordinates")                                \
-  /* by maggi_results */                                                                          \
-  X(Wa, nbody1, 6, "acceleration by those of all coordinates")                                    \
-  X(Za, nbody1, 6, "acceleration less gravity")                                                   \
-  X(ra, npoint, 3, "accelerations of points less gravity")                                        \
-  X(Fr, nbody1, 6, "inertia forces, rods and loops")                                              \
-  X(FSr, nbody1, 6, "Fr + Q of the whole subtree")                                                \
+  /* from p, by maggi_constants */                                                                 \
+  X(offset0, nbody, 3, "joint point from that of the parent, initial axes [m]")                    \
+  X(axis0, nbody, 3, "unit axis of the joint, initial")                                            \
+  X(body0, nbody, 10, "inertia about the joint point, initial axes")                               \
+  X(point0, npoint, 3, "points from the joint point of their body [m]")                            \
+  X(dir0, ndir, 3, "unit vectors, initial")                                                        \
+  X(spline0, nspline, 3, "splines: second derivatives and elimination")                            \
+  /* by maggi_evaluate */                                                                          \
+  X(fun, nfun, 3, "functions of time: value, first and second derivative")                         \
+  X(A, nbody1, 9, "rotation of a body since the initial position")                                 \
+  X(x, nbody1, 3, "joint point from P, global axes [m]")                                           \
+  X(b, nbody, 6, "velocity of a body by its coordinate")                                           \
+  X(r, npoint, 3, "points from P [m]")                                                             \
+  X(dir, ndir, 3, "unit vectors")                                                                  \
+  X(Z, nbody1, 6, "velocity of a body at P [m/s, rad/s]")                                          \
+  X(Z0, nbody1, 6, "acceleration less gravity with all joint accelerations zero")                  \
+  X(W, nbody1, 6, "acceleration by those of the dependent coordinates")                            \
+  X(Zb, nbody1, 6, "Z0 + W")                                                                       \
+  X(rv, npoint, 3, "velocities of points [m/s]")                                                   \
+  X(r0a, npoint, 3, "accelerations of points by Z0")                                               \
+  X(rba, npoint, 3, "accelerations of points by Zb")                                               \
+  X(I, nbody, 10, "inertia at P: mass, first moment, J")                                           \
+  X(IS, nbody1, 10, "the same of the whole subtree")                                               \
+  X(F, nbody1, 6, "inertia forces at P, with a minus")                                             \
+  X(Q, nbody1, 6, "forces of elements at P")                                                       \
+  X(FS, nbody1, 6, "F + Q of the whole subtree")                                                   \
+  X(Fb, nq, 6, "IS b")                                                                             \
+  X(rodjac, nrodjac, 3, "velocity of ends of rods by coordinates")                                 \
+  /* by maggi_results */                                                                           \
+  X(Wa, nbody1, 6, "acceleration by those of all coordinates")                                     \
+  X(Za, nbody1, 6, "acceleration less gravity")                                                    \
+  X(ra, npoint, 3, "accelerations of points less gravity")                                         \
+  X(Fr, nbody1, 6, "inertia forces, rods and loops")                                               \
+  X(FSr, nbody1, 6, "Fr + Q of the whole subtree")                                                 \
   X(sensor, nsensor, 3, "sensors")
 
 #define MAGGI_DATA_VECTORS(X)                                                                      \
-  X(p, np, "parameters")                                                                          \
-  X(prim0, nprim, "lengths of rods, cosines of angles")                                           \
-  X(spring0, nspring, "lengths of springs as drawn [m]")                                          \
-  X(q, nq, "positions, internal order")                                                           \
-  X(v, nq, "velocities")                                                                          \
-  X(a, nq, "accelerations")                                                                       \
-  X(zero, nq, "zeros")                                                                            \
-  X(res, nrow, "loop equations")                                                                  \
-  X(gam, nrow, "their second derivative with joint accelerations zero, with a minus")             \
-  X(y1, nrow, "right-hand sides of islands, one column")                                          \
-  X(ab, nq, "dependent accelerations with independent ones zero")                                 \
-  X(dq, nq, "correction of positions")                                                            \
-  X(M, npair, "mass matrix by pairs")                                                             \
-  X(tau, nq, "torques and forces of elements on coordinates")                                     \
-  X(f, nq, "generalised forces")                                                                  \
-  X(vcol, nqblock, "velocities of columns")                                                            \
-  X(acol, nqblock, "accelerations of columns")                                                         \
-  X(fr, nqblock, "reduced forces")                                                                     \
-  X(dinv, nq, "inverse pivots of the reduced mass matrix")                                        \
-  X(drive, nq, "torques and forces of guides by columns")                                         \
-  X(space, nq16, "work space of solves")                                                          \
-  X(w, nq, "forces not balanced by inertia")                                                      \
-  X(wd, nq, "the same less those of loops")                                                       \
-  X(lambda, nrow, "multipliers")                                                                  \
-  X(piv0, nq, "pivots of islands when the dependents were chosen")                                \
-  X(piv1, nq, "the same of the choice before")                                                    \
-  X(q0, nq, "Runge-Kutta: start of the step, positions")                                          \
-  X(v0, nq, "velocities")                                                                         \
-  X(a0, nq, "accelerations")                                                                      \
-  X(dqs, nq, "sums of velocities")                                                                \
-  X(dus, nq, "sums of accelerations of columns")                                                  \
-  X(qn, nq, "node from which the next step starts, positions")                                    \
-  X(vn, nq, "velocities")                                                                         \
-  X(an, nq, "accelerations")                                                                      \
+  X(p, np, "parameters")                                                                           \
+  X(prim0, nprim, "lengths of rods, cosines of angles")                                            \
+  X(spring0, nspring, "lengths of springs as drawn [m]")                                           \
+  X(q, nq, "positions, internal order")                                                            \
+  X(v, nq, "velocities")                                                                           \
+  X(a, nq, "accelerations")                                                                        \
+  X(zero, nq, "zeros")                                                                             \
+  X(res, nrow, "loop equations")                                                                   \
+  X(gam, nrow, "their second derivative with joint accelerations zero, with a minus")              \
+  X(y1, nrow, "right-hand sides of islands, one column")                                           \
+  X(ab, nq, "dependent accelerations with independent ones zero")                                  \
+  X(dq, nq, "correction of positions")                                                             \
+  X(M, npair, "mass matrix by pairs")                                                              \
+  X(tau, nq, "torques and forces of elements on coordinates")                                      \
+  X(f, nq, "generalised forces")                                                                   \
+  X(vcol, nqblock, "velocities of columns")                                                        \
+  X(acol, nqblock, "accelerations of columns")                                                     \
+  X(fr, nqblock, "reduced forces")                                                                 \
+  X(dinv, nq, "inverse pivots of the reduced mass matrix")                                         \
+  X(drive, nq, "torques and forces of guides by columns")                                          \
+  X(space, nq16, "work space of solves")                                                           \
+  X(w, nq, "forces not balanced by inertia")                                                       \
+  X(wd, nq, "the same less those of loops")                                                        \
+  X(lambda, nrow, "multipliers")                                                                   \
+  X(piv0, nq, "pivots of islands when the dependents were chosen")                                 \
+  X(piv1, nq, "the same of the choice before")                                                     \
+  X(q0, nq, "Runge-Kutta: start of the step, positions")                                           \
+  X(v0, nq, "velocities")                                                                          \
+  X(a0, nq, "accelerations")                                                                       \
+  X(dqs, nq, "sums of velocities")                                                                 \
+  X(dus, nq, "sums of accelerations of columns")                                                   \
+  X(qn, nq, "node from which the next step starts, positions")                                     \
+  X(vn, nq, "velocities")                                                                          \
+  X(an, nq, "accelerations")                                                                       \
   X(q1, nq, "Newton: position before a step")
 
 /* what the plan sizes */
 #define MAGGI_PLAN_VECTORS(X)                                                                      \
-  X(phi, nphi, "blocks of Phi_d")                                                                 \
-  X(chol, nchol, "factors of Phi_d^T Phi_d")                                                      \
-  X(V, nvrow * 6 * t->stride, "velocities of bodies by columns")                                  \
-  X(v1, nvrow * 6, "the same, one column")                                                        \
-  X(Y, nrow * t->stride, "right-hand sides of islands by columns")                                \
-  X(R, nq * t->stride, "R_z")                                                                     \
-  X(MR, nq * t->stride, "M R_z, part")                                                            \
-  X(Mr, ncol * t->stride, "reduced mass matrix")                                                  \
+  X(phi, nphi, "blocks of Phi_d")                                                                  \
+  X(chol, nchol, "factors of Phi_d^T Phi_d")                                                       \
+  X(V, nvrow * 6 * t->stride, "velocities of bodies by columns")                                   \
+  X(v1, nvrow * 6, "the same, one column")                                                         \
+  X(Y, nrow * t->stride, "right-hand sides of islands by columns")                                 \
+  X(R, nq * t->stride, "R_z")                                                                      \
+  X(MR, nq * t->stride, "M R_z, part")                                                             \
+  X(Mr, ncol * t->stride, "reduced mass matrix")                                                   \
   X(Ur, ncol * t->stride, "its factor")
 
 #define MAGGI_RANK_TOLERANCE 1e-8
@@ -112,11 +112,12 @@ struct maggi_data {
   double time;
   double power[1]; /* of dampers, loads and drives */
   double work;
-  double rank_tolerance; /* smaller pivots, in the natural size of a loop, are redundant equations */
-  double pivot_ratio;  /* at the last step */
-  double stage_ratio;  /* at the last evaluation */
-  maggi_node start;    /* of the last Runge-Kutta step: q0, v0, a0 */
-  maggi_node node;     /* its end: qn, vn, an; later than the state of `time` if is_ahead */
+  double
+      rank_tolerance; /* smaller pivots, in the natural size of a loop, are redundant equations */
+  double pivot_ratio; /* at the last step */
+  double stage_ratio; /* at the last evaluation */
+  maggi_node start;   /* of the last Runge-Kutta step: q0, v0, a0 */
+  maggi_node node;    /* its end: qn, vn, an; later than the state of `time` if is_ahead */
   int is_ahead;
   int careless;        /* steps still taken without care at singular positions */
   double replan_below; /* pivot ratio at which a better choice is looked for */
@@ -124,7 +125,7 @@ struct maggi_data {
   int fresh;           /* results of this state computed */
   long changes, projections, evaluations;
   int *position_given, *velocity_given; /* (nq) */
-#define X(name, rows, cols, text) double (*name)[cols];
+#define X(name, rows, cols, text) double(*name)[cols];
   MAGGI_DATA_LIST(X)
 #undef X
 #define X(name, size, text) double *name;
@@ -156,11 +157,11 @@ void maggi_constants(maggi_data *d);
 void maggi_evaluate_positions(maggi_data *d, double time);
 void maggi_evaluate_factors(maggi_data *d);
 void maggi_evaluate_velocities(maggi_data *d);
-void maggi_evaluate(maggi_data *d, double time); /* all, from q and vcol */
+void maggi_evaluate(maggi_data *d, double time);       /* all, from q and vcol */
 void maggi_evaluate_given(maggi_data *d, double time); /* what results need, from q, v and a */
-int maggi_is_singular(const maggi_data *d);      /* whether the last evaluation cannot be trusted */
-void maggi_results(maggi_data *d);               /* what is computed only on demand */
-double maggi_violation(const maggi_data *d);     /* largest |Phi|, NAN if one is */
+int maggi_is_singular(const maggi_data *d);  /* whether the last evaluation cannot be trusted */
+void maggi_results(maggi_data *d);           /* what is computed only on demand */
+double maggi_violation(const maggi_data *d); /* largest |Phi|, NAN if one is */
 double maggi_smallest_pivot(const maggi_data *d, double *ratio, int *dep);
 int maggi_worst_loop(const maggi_data *d);
 

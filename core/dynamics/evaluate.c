@@ -11,8 +11,7 @@ void maggi_constants(maggi_data *d)
   const maggi_topo *t = &d->t;
   int k;
 
-  for (k = 0; k < 3; ++k)
-    d->origin[k] = d->p[d->m->originadr + k];
+  for (k = 0; k < 3; ++k) d->origin[k] = d->p[d->m->originadr + k];
   maggi_joint_constants(t, d->p, d->origin, d->offset0, d->axis0);
   maggi_inertia_constants(t, d->p, d->body0);
   maggi_point_constants(t, d->p, d->origin, d->point0, d->dir0, d->prim0, d->spring0);
@@ -26,8 +25,7 @@ void maggi_evaluate_positions(maggi_data *d, double time)
 
   maggi_functions(t, d->p, ARRAY(d->spline0), time, d->fun);
   for (i = 0; i < t->nq; ++i)
-    if (t->qguide[i] >= 0)
-      d->q[i] = d->fun[t->qguide[i]][0];
+    if (t->qguide[i] >= 0) d->q[i] = d->fun[t->qguide[i]][0];
   maggi_positions(t, ARRAY(d->offset0), ARRAY(d->axis0), d->q, d->A, d->x, d->b);
   maggi_points(t, 0, t->npointdyn, ARRAY(d->point0), ARRAY(d->A), ARRAY(d->x), d->r);
   maggi_directions(t, ARRAY(d->dir0), ARRAY(d->A), d->dir);
@@ -47,8 +45,7 @@ void maggi_evaluate_velocities(maggi_data *d)
   const maggi_topo *t = &d->t;
   int i;
 
-  for (i = t->nind; i < t->ncol; ++i)
-    d->vcol[i] = d->fun[t->qguide[t->colq[i]]][1];
+  for (i = t->nind; i < t->ncol; ++i) d->vcol[i] = d->fun[t->qguide[t->colq[i]]][1];
   maggi_island_columns(t, d->prim0, ARRAY(d->r), ARRAY(d->dir), ARRAY(d->b), d->phi, d->chol, d->V,
                        d->Y, d->R, d->space);
   maggi_expand(t, d->R, d->vcol, d->zero, d->v);
@@ -85,15 +82,13 @@ static void accelerate(maggi_data *d)
   maggi_mass_matrix(t, d->p, ARRAY(d->b), ARRAY(d->r), ARRAY(d->IS), d->Fb, d->rodjac, d->M);
   maggi_reduced_mass(t, d->M, d->R, d->MR, d->Mr);
   maggi_reduced_force(t, ARRAY(d->b), ARRAY(d->FS), d->tau, d->R, d->f, d->fr);
-  for (i = t->nind; i < t->ncol; ++i)
-    d->acol[i] = d->fun[t->qguide[t->colq[i]]][2];
+  for (i = t->nind; i < t->ncol; ++i) d->acol[i] = d->fun[t->qguide[t->colq[i]]][2];
   maggi_factor_mass(t, d->Mr, d->Ur, d->dinv);
   maggi_solve_mass(t, d->Mr, d->fr, d->Ur, d->dinv, d->acol);
   maggi_expand(t, d->R, d->acol, d->ab, d->a);
   if (t->nguide > 0) {
     maggi_drives(t, d->Mr, d->fr, d->acol, d->drive);
-    for (i = t->nind; i < t->ncol; ++i)
-      d->power[0] += d->drive[i] * d->vcol[i];
+    for (i = t->nind; i < t->ncol; ++i) d->power[0] += d->drive[i] * d->vcol[i];
   }
 }
 
@@ -143,8 +138,7 @@ void maggi_results(maggi_data *d)
   const maggi_topo *t = &d->t;
   int i;
 
-  if (d->fresh)
-    return;
+  if (d->fresh) return;
   maggi_points(t, t->npointdyn, t->npoint, ARRAY(d->point0), ARRAY(d->A), ARRAY(d->x), d->r);
   maggi_point_velocities(t, t->npointdyn, t->npoint, ARRAY(d->r), ARRAY(d->Z), d->rv);
   maggi_accelerations(t, ARRAY(d->b), ARRAY(d->Z0), d->a, d->Wa, d->Za);
@@ -170,10 +164,8 @@ double maggi_violation(const maggi_data *d)
   int i;
 
   for (i = 0; i < d->t.nrow; ++i) {
-    if (isnan(d->res[i]))
-      return NAN;
-    if (fabs(d->res[i]) > largest)
-      largest = fabs(d->res[i]);
+    if (isnan(d->res[i])) return NAN;
+    if (fabs(d->res[i]) > largest) largest = fabs(d->res[i]);
   }
   return largest;
 }

@@ -22,8 +22,8 @@ static const double renew_below = 0.2;
 
 /* ways around a singular position: first part of a step in two, then how far to go beyond its end */
 static const double first_part[] = {0.6180339887, 0.3819660113, 0.8, 0.2};
-static const double beyond[] = {0.13, 0.21, 0.34, 0.55, 0.77, 1.0, 1.3, 1.7, 2.2, 3.0, 4.0,
-                                5.5,  7.0,  9.0,  12.0, 16.0, 22.0, 30.0, 42.0, 60.0};
+static const double beyond[] = {0.13, 0.21, 0.34, 0.55, 0.77, 1.0,  1.3,  1.7,  2.2,  3.0,
+                                4.0,  5.5,  7.0,  9.0,  12.0, 16.0, 22.0, 30.0, 42.0, 60.0};
 
 enum {
   SINGULAR = -1,       /* instead of a status: a stage fell on a singular position */
@@ -100,10 +100,8 @@ static maggi_status renew(maggi_data *d, double time)
 
   memcpy(d->dqs, d->v, bytes(d));
   status = maggi_plan_renew(d, &changed);
-  if (status != MAGGI_OK)
-    return status;
-  for (i = 0; i < t->nind; ++i)
-    d->vcol[i] = d->dqs[t->colq[i]];
+  if (status != MAGGI_OK) return status;
+  for (i = 0; i < t->nind; ++i) d->vcol[i] = d->dqs[t->colq[i]];
   d->changes += changed;
   d->replan_below = changed ? renew_below : 0.5 * d->pivot_ratio;
   maggi_evaluate(d, time);
@@ -118,45 +116,34 @@ static int advance(maggi_data *d, double h, int careful)
   int status, i;
 
   memcpy(d->v, d->v0, bytes(d));
-  for (i = 0; i < t->nind; ++i)
-    d->acol[i] = d->a0[t->colq[i]];
+  for (i = 0; i < t->nind; ++i) d->acol[i] = d->a0[t->colq[i]];
   memset(d->dqs, 0, bytes(d));
   memset(d->dus, 0, bytes(d));
   status = stage(d, 1.0, 0.5 * h, time + 0.5 * h, careful);
-  if (status != MAGGI_OK)
-    return status;
+  if (status != MAGGI_OK) return status;
   work += 2.0 * d->power[0];
   status = stage(d, 2.0, 0.5 * h, time + 0.5 * h, careful);
-  if (status != MAGGI_OK)
-    return status;
+  if (status != MAGGI_OK) return status;
   work += 2.0 * d->power[0];
   status = stage(d, 2.0, h, time + h, careful);
-  if (status != MAGGI_OK)
-    return status;
+  if (status != MAGGI_OK) return status;
   work += d->power[0];
-  for (i = 0; i < t->nq; ++i)
-    d->q[i] = d->q0[i] + h / 6.0 * (d->dqs[i] + d->v[i]);
-  for (i = 0; i < t->nind; ++i)
-    d->vcol[i] = d->v0[t->colq[i]] + h / 6.0 * (d->dus[i] + d->acol[i]);
+  for (i = 0; i < t->nq; ++i) d->q[i] = d->q0[i] + h / 6.0 * (d->dqs[i] + d->v[i]);
+  for (i = 0; i < t->nind; ++i) d->vcol[i] = d->v0[t->colq[i]] + h / 6.0 * (d->dus[i] + d->acol[i]);
   status = maggi_project(d, time + h);
-  if (status != MAGGI_OK)
-    return status;
+  if (status != MAGGI_OK) return status;
   maggi_evaluate(d, time + h);
   status = finish_stage(d, careful);
-  if (status != MAGGI_OK)
-    return status;
+  if (status != MAGGI_OK) return status;
   d->pivot_ratio = d->stage_ratio;
-  if (d->pivot_ratio > 2.0 * renew_below)
-    d->replan_below = renew_below;
+  if (d->pivot_ratio > 2.0 * renew_below) d->replan_below = renew_below;
   if (t->ndep > 0 && d->pivot_ratio < d->replan_below) {
     status = renew(d, time + h);
-    if (status != MAGGI_OK)
-      return status;
+    if (status != MAGGI_OK) return status;
     d->pivot_ratio = d->stage_ratio;
   }
   status = maggi_check(d, time + h);
-  if (status != MAGGI_OK)
-    return status;
+  if (status != MAGGI_OK) return status;
   d->time = time + h;
   d->work = d->start.work + h / 6.0 * work;
   return MAGGI_OK;
@@ -179,8 +166,8 @@ static void interpolate(maggi_data *d, double time)
     c3 = 10.0 * e0 - 4.0 * e1 + 0.5 * e2;
     c4 = -15.0 * e0 + 7.0 * e1 - e2;
     c5 = 6.0 * e0 - 3.0 * e1 + 0.5 * e2;
-    d->q[i] = d->q0[i] + s * (H * d->v0[i] + s * (0.5 * H * H * d->a0[i] +
-                                                  s * (c3 + s * (c4 + s * c5))));
+    d->q[i] =
+        d->q0[i] + s * (H * d->v0[i] + s * (0.5 * H * H * d->a0[i] + s * (c3 + s * (c4 + s * c5))));
     d->v[i] = d->v0[i] + s * H * d->a0[i] + s * s * (3.0 * c3 + s * (4.0 * c4 + s * 5.0 * c5)) / H;
     d->a[i] = d->a0[i] + s * (6.0 * c3 + s * (12.0 * c4 + s * 20.0 * c5)) / (H * H);
   }
@@ -263,16 +250,13 @@ maggi_status maggi_step(maggi_data *d, double h)
   rest = time - d->time;
   d->careless -= d->careless > 0;
   status = advance(d, rest, d->careless == 0);
-  if (status == SINGULAR)
-    status = advance_in_parts(d, rest);
-  if (status == SINGULAR)
-    status = advance_beyond(d, rest);
+  if (status == SINGULAR) status = advance_in_parts(d, rest);
+  if (status == SINGULAR) status = advance_beyond(d, rest);
   if (status == SINGULAR) {
     d->careless = CARELESS_STEPS;
     status = advance(d, rest, 0);
   }
-  if (status != MAGGI_OK)
-    return (maggi_status)status;
+  if (status != MAGGI_OK) return (maggi_status)status;
   d->time = time;
   d->ready = 1;
   return MAGGI_OK;

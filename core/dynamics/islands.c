@@ -10,11 +10,9 @@ static int find_components(maggi_data *d)
   maggi_planner *pl = d->planner;
   int i, l, k, to, count = 0, n = 0, nstack = 0, depth;
 
-  for (i = 0; i < t->nloop; ++i)
-    pl->index[i] = pl->component[i] = -1;
+  for (i = 0; i < t->nloop; ++i) pl->index[i] = pl->component[i] = -1;
   for (i = 0; i < t->nloop; ++i) {
-    if (pl->index[i] >= 0)
-      continue;
+    if (pl->index[i] >= 0) continue;
     depth = 0;
     pl->frame[0] = i;
     pl->at[i] = t->pathadr[i];
@@ -24,8 +22,7 @@ static int find_components(maggi_data *d)
       l = pl->frame[depth];
       if (pl->at[l] < t->pathadr[l + 1]) {
         to = pl->owner[t->pathq[pl->at[l]++]];
-        if (to < 0 || to == l)
-          continue;
+        if (to < 0 || to == l) continue;
         if (pl->index[to] < 0) {
           pl->frame[++depth] = to;
           pl->at[to] = t->pathadr[to];
@@ -58,8 +55,7 @@ static int island_of_redundant(const maggi_data *d, int loop)
 
   for (i = d->t.pathadr[loop]; i < d->t.pathadr[loop + 1]; ++i) {
     owner = pl->owner[d->t.pathq[i]];
-    if (owner >= 0 && pl->loopisland[owner] > last)
-      last = pl->loopisland[owner];
+    if (owner >= 0 && pl->loopisland[owner] > last) last = pl->loopisland[owner];
   }
   return last;
 }
@@ -79,30 +75,22 @@ int maggi_list_islands(maggi_data *d)
        maggi_sized(&pl->islend, t->nloop1, 0) && maggi_sized(&pl->dep, t->nq, 0) &&
        maggi_sized(&pl->primorder, t->nprim, 0) && maggi_sized(&pl->primy, t->nprim, 0) &&
        maggi_sized(&pl->primva, t->nprim, 0) && maggi_sized(&pl->primvb, t->nprim, 0);
-  if (!ok)
-    return 0;
-  for (i = 0; i < n; ++i)
-    island[i] = 0;
-  for (i = 0; i < t->nloop; ++i)
-    island[pl->component[i]] += pl->rank[i];
+  if (!ok) return 0;
+  for (i = 0; i < n; ++i) island[i] = 0;
+  for (i = 0; i < t->nloop; ++i) island[pl->component[i]] += pl->rank[i];
   k = 0;
-  for (i = 0; i < n; ++i)
-    island[i] = island[i] > 0 ? k++ : -1;
+  for (i = 0; i < n; ++i) island[i] = island[i] > 0 ? k++ : -1;
   t->nisland = k;
+  for (i = 0; i < t->nloop; ++i) pl->loopisland[i] = island[pl->component[i]];
   for (i = 0; i < t->nloop; ++i)
-    pl->loopisland[i] = island[pl->component[i]];
-  for (i = 0; i < t->nloop; ++i)
-    if (pl->loopisland[i] < 0)
-      pl->loopisland[i] = island_of_redundant(d, i);
+    if (pl->loopisland[i] < 0) pl->loopisland[i] = island_of_redundant(d, i);
 
   /* counts, then addresses */
   for (i = 0; i < t->nq; ++i)
-    if (pl->owner[i] >= 0)
-      ++pl->isldep.v[pl->loopisland[pl->owner[i]] + 1];
+    if (pl->owner[i] >= 0) ++pl->isldep.v[pl->loopisland[pl->owner[i]] + 1];
   for (i = 0; i < t->nprim; ++i) {
     k = pl->loopisland[t->primloop[i]];
-    if (k < 0)
-      continue;
+    if (k < 0) continue;
     ++pl->islprim.v[k + 1];
     pl->islrow.v[k + 1] += maggi_prim_rows(t->primkind[i]);
   }
@@ -117,25 +105,20 @@ int maggi_list_islands(maggi_data *d)
   }
   t->nphi = pl->islphi.v[t->nisland];
   t->nchol = pl->islchol.v[t->nisland];
-  for (k = 0; k < t->nisland; ++k)
-    adr[k] = fill[k] = 0;
+  for (k = 0; k < t->nisland; ++k) adr[k] = fill[k] = 0;
   for (i = 0; i < t->nq; ++i) {
-    if (pl->owner[i] < 0)
-      continue;
+    if (pl->owner[i] < 0) continue;
     k = pl->loopisland[pl->owner[i]];
     pl->local[i] = adr[k];
     pl->dep.v[pl->isldep.v[k] + adr[k]++] = i;
   }
-  for (k = 0; k < t->nisland; ++k)
-    adr[k] = 0;
+  for (k = 0; k < t->nisland; ++k) adr[k] = 0;
   for (i = 0; i < t->nprim; ++i) {
     k = pl->loopisland[t->primloop[i]];
-    if (k < 0)
-      continue;
+    if (k < 0) continue;
     pl->primorder.v[pl->islprim.v[k] + adr[k]++] = i;
     pl->primy.v[i] = pl->islrow.v[k] + fill[k];
     fill[k] += maggi_prim_rows(t->primkind[i]);
   }
   return 1;
 }
-

@@ -12,12 +12,9 @@ void maggi_get_coordinates(const maggi_data *d, double *q, double *v, double *a)
 
   for (i = 0; i < d->m->ncoordinate; ++i) {
     k = d->m->coordinate[i].q;
-    if (q)
-      q[i] = d->q[k];
-    if (v)
-      v[i] = d->v[k];
-    if (a)
-      a[i] = d->a[k];
+    if (q) q[i] = d->q[k];
+    if (v) v[i] = d->v[k];
+    if (a) a[i] = d->a[k];
   }
 }
 
@@ -27,8 +24,7 @@ void maggi_get_sensors(maggi_data *d, double *values)
 
   maggi_results(d);
   for (i = 0; i < d->t.nsensor; ++i)
-    for (k = 0; k < 3; ++k)
-      values[3 * i + k] = d->sensor[i][k];
+    for (k = 0; k < 3; ++k) values[3 * i + k] = d->sensor[i][k];
 }
 
 void maggi_get_drives(maggi_data *d, double *drives)
@@ -63,8 +59,7 @@ void maggi_get_multipliers(maggi_data *d, double *lambda)
   int i;
 
   maggi_results(d);
-  for (i = 0; i < d->t.nrow; ++i)
-    lambda[i] = d->lambda[i];
+  for (i = 0; i < d->t.nrow; ++i) lambda[i] = d->lambda[i];
 }
 
 void maggi_get_energy(maggi_data *d, maggi_energy *energy)
@@ -73,8 +68,8 @@ void maggi_get_energy(maggi_data *d, maggi_energy *energy)
 
   maggi_kinetic_energy(&d->t, d->p, (void *)d->I, (void *)d->Z, (void *)d->rv, e);
   energy->kinetic = e[0];
-  maggi_potential_energy(&d->t, d->p, d->origin, (void *)d->body0, d->spring0, d->q,
-                         (void *)d->A, (void *)d->x, (void *)d->r, e);
+  maggi_potential_energy(&d->t, d->p, d->origin, (void *)d->body0, d->spring0, d->q, (void *)d->A,
+                         (void *)d->x, (void *)d->r, e);
   energy->potential = e[0];
   energy->work = d->work;
 }
@@ -94,8 +89,7 @@ int maggi_coordinate_is_independent(const maggi_data *d, int coordinate)
 {
   int c;
 
-  if (coordinate < 0 || coordinate >= d->m->ncoordinate || !d->ready)
-    return 0;
+  if (coordinate < 0 || coordinate >= d->m->ncoordinate || !d->ready) return 0;
   c = d->t.col[d->m->coordinate[coordinate].q];
   return c >= 0 && c < d->t.nind;
 }

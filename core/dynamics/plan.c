@@ -14,8 +14,7 @@ static int number_columns(maggi_data *d)
   maggi_planner *pl = d->planner;
   int i, pass;
 
-  if (!maggi_sized(&pl->col, t->nq, -1) || !maggi_sized(&pl->colq, t->nq, -1))
-    return 0;
+  if (!maggi_sized(&pl->col, t->nq, -1) || !maggi_sized(&pl->colq, t->nq, -1)) return 0;
   t->ncol = 0;
   t->ndep = 0;
   for (pass = 0; pass < 2; ++pass) {
@@ -27,8 +26,7 @@ static int number_columns(maggi_data *d)
         pl->colq.v[t->ncol++] = i;
       }
     }
-    if (pass == 0)
-      t->nind = t->ncol;
+    if (pass == 0) t->nind = t->ncol;
   }
   t->stride = (t->ncol + MAGGI_WIDTH - 1) / MAGGI_WIDTH * MAGGI_WIDTH;
   return 1;
@@ -38,8 +36,7 @@ static int number_columns(maggi_data *d)
 
 static void widen(int *begin, int *end, int b, int e)
 {
-  if (b >= e)
-    return;
+  if (b >= e) return;
   if (*begin >= *end) {
     *begin = b;
     *end = e;
@@ -57,8 +54,9 @@ static int add_row(maggi_data *d, int base, int src, int q)
   int row = pl->vrowbeg.n;
 
   widen(&begin, &end, pl->rbeg.v[q], pl->rend.v[q]);
-  if (!maggi_push_int(&pl->vrowbeg, begin) || !maggi_push_int(&pl->vrowend, end) || !maggi_push_int(&pl->vbase, base) ||
-      !maggi_push_int(&pl->vnext, -1) || !maggi_push_int(&pl->vopdst, row) || !maggi_push_int(&pl->vopsrc, src) ||
+  if (!maggi_push_int(&pl->vrowbeg, begin) || !maggi_push_int(&pl->vrowend, end) ||
+      !maggi_push_int(&pl->vbase, base) || !maggi_push_int(&pl->vnext, -1) ||
+      !maggi_push_int(&pl->vopdst, row) || !maggi_push_int(&pl->vopsrc, src) ||
       !maggi_push_int(&pl->vopq, q))
     return -1;
   return row;
@@ -72,8 +70,7 @@ static int row_of_body(maggi_data *d, int body, int base)
   int n = 0, row = 0, k;
 
   for (; body != base; body = t->parent[body]) {
-    if (t->qid[body] < 0)
-      continue;
+    if (t->qid[body] < 0) continue;
     for (k = pl->vhead[body]; k >= 0 && pl->vbase.v[k] != base; k = pl->vnext.v[k])
       ;
     if (k >= 0) {
@@ -102,18 +99,15 @@ static int row_of_side(maggi_data *d, int loop, int side, int end)
 
   for (i = t->pathadr[loop]; i < t->pathadr[loop + 1]; ++i) {
     q = t->pathq[i];
-    if (t->pathside[i] != side)
-      continue;
+    if (t->pathside[i] != side) continue;
     if (pl->owner[q] >= 0 && pl->loopisland[pl->owner[q]] == island) {
-      if (row < 0)
-        row = row_of_body(d, t->parent[t->qbody[q]], base);
+      if (row < 0) row = row_of_body(d, t->parent[t->qbody[q]], base);
     } else if (row >= 0) {
       row = add_row(d, -1, row, q);
     } else {
       continue;
     }
-    if (row < 0)
-      return -1;
+    if (row < 0) return -1;
   }
   return row >= 0 ? row : row_of_body(d, end, base);
 }
@@ -126,11 +120,11 @@ static int push_entries(maggi_data *d, int prim, int island)
 
   for (i = t->pathadr[loop]; i < t->pathadr[loop + 1]; ++i) {
     q = t->pathq[i];
-    if (pl->owner[q] < 0 || pl->loopisland[pl->owner[q]] != island)
-      continue;
+    if (pl->owner[q] < 0 || pl->loopisland[pl->owner[q]] != island) continue;
     adr = pl->islphi.v[island] + (pl->primy.v[prim] - pl->islrow.v[island]) * n + pl->local[q];
-    if (!maggi_push_int(&pl->entprim, prim) || !maggi_push_int(&pl->entside, t->pathside[i]) || !maggi_push_int(&pl->entq, q) ||
-        !maggi_push_int(&pl->entadr, adr) || !maggi_push_int(&pl->entstep, n))
+    if (!maggi_push_int(&pl->entprim, prim) || !maggi_push_int(&pl->entside, t->pathside[i]) ||
+        !maggi_push_int(&pl->entq, q) || !maggi_push_int(&pl->entadr, adr) ||
+        !maggi_push_int(&pl->entstep, n))
       return 0;
   }
   return 1;
@@ -143,19 +137,17 @@ static int list_velocities(maggi_data *d)
   maggi_planner *pl = d->planner;
   int i, k, prim, last, va = 0, vb = 0, begin, end;
 
-  if (!maggi_sized(&pl->rbeg, t->nq, 0) || !maggi_sized(&pl->rend, t->nq, 0))
-    return 0;
+  if (!maggi_sized(&pl->rbeg, t->nq, 0) || !maggi_sized(&pl->rend, t->nq, 0)) return 0;
   for (i = 0; i < t->ncol; ++i) {
     pl->rbeg.v[pl->colq.v[i]] = i;
     pl->rend.v[pl->colq.v[i]] = i + 1;
   }
-  for (i = 0; i < t->nbody; ++i)
-    pl->vhead[i] = -1;
+  for (i = 0; i < t->nbody; ++i) pl->vhead[i] = -1;
   pl->vrowbeg.n = pl->vrowend.n = pl->vbase.n = pl->vnext.n = 0;
   pl->vopdst.n = pl->vopsrc.n = pl->vopq.n = 0;
   pl->entprim.n = pl->entside.n = pl->entq.n = pl->entadr.n = pl->entstep.n = 0;
-  if (!maggi_push_int(&pl->vrowbeg, 0) || !maggi_push_int(&pl->vrowend, 0) || !maggi_push_int(&pl->vbase, -1) ||
-      !maggi_push_int(&pl->vnext, -1))
+  if (!maggi_push_int(&pl->vrowbeg, 0) || !maggi_push_int(&pl->vrowend, 0) ||
+      !maggi_push_int(&pl->vbase, -1) || !maggi_push_int(&pl->vnext, -1))
     return 0;
   for (k = 0; k < t->nisland; ++k) {
     begin = end = 0;
@@ -168,15 +160,13 @@ static int list_velocities(maggi_data *d)
         last = t->primloop[prim];
         va = row_of_side(d, last, 0, t->primba[prim]);
         vb = row_of_side(d, last, 1, t->primbb[prim]);
-        if (va < 0 || vb < 0)
-          return 0;
+        if (va < 0 || vb < 0) return 0;
         widen(&begin, &end, pl->vrowbeg.v[va], pl->vrowend.v[va]);
         widen(&begin, &end, pl->vrowbeg.v[vb], pl->vrowend.v[vb]);
       }
       pl->primva.v[prim] = va;
       pl->primvb.v[prim] = vb;
-      if (!push_entries(d, prim, k))
-        return 0;
+      if (!push_entries(d, prim, k)) return 0;
     }
     pl->islbeg.v[k] = begin;
     pl->islend.v[k] = end;
@@ -197,8 +187,7 @@ static int list_velocities(maggi_data *d)
 
 static void lower(int *first, int value)
 {
-  if (value < *first)
-    *first = value;
+  if (value < *first) *first = value;
 }
 
 static int list_mass(maggi_data *d)
@@ -210,7 +199,8 @@ static int list_mass(maggi_data *d)
   pl->iipair.n = pl->iirow.n = pl->iicol.n = 0;
   pl->idpair.n = pl->iddep.n = pl->idcol.n = 0;
   pl->ddpair.n = pl->dddst.n = pl->ddsrc.n = 0;
-  if (!maggi_sized(&pl->first, t->nq, 0) || !maggi_sized(&pl->zbeg, t->nq, 0) || !maggi_sized(&pl->zend, t->nq, 0))
+  if (!maggi_sized(&pl->first, t->nq, 0) || !maggi_sized(&pl->zbeg, t->nq, 0) ||
+      !maggi_sized(&pl->zend, t->nq, 0))
     return 0;
   for (i = 0; i < t->nq; ++i) {
     pl->first.v[i] = i;
@@ -231,19 +221,20 @@ static int list_mass(maggi_data *d)
     } else if (ci >= 0 || cj >= 0) {
       q = ci >= 0 ? j : i;
       c = ci >= 0 ? ci : cj;
-      ok = maggi_push_int(&pl->idpair, k) && maggi_push_int(&pl->iddep, q) && maggi_push_int(&pl->idcol, c);
+      ok = maggi_push_int(&pl->idpair, k) && maggi_push_int(&pl->iddep, q) &&
+           maggi_push_int(&pl->idcol, c);
       widen(&pl->zbeg.v[q], &pl->zend.v[q], c, c + 1);
     } else {
       src = pl->rend.v[i] - pl->rbeg.v[i] < pl->rend.v[j] - pl->rbeg.v[j] ? i : j;
       dst = i + j - src;
-      ok = maggi_push_int(&pl->ddpair, k) && maggi_push_int(&pl->dddst, dst) && maggi_push_int(&pl->ddsrc, src);
+      ok = maggi_push_int(&pl->ddpair, k) && maggi_push_int(&pl->dddst, dst) &&
+           maggi_push_int(&pl->ddsrc, src);
       widen(&pl->zbeg.v[dst], &pl->zend.v[dst], pl->rbeg.v[src], pl->rend.v[src]);
     }
   }
   for (i = 0; i < t->ndep; ++i) {
     q = pl->dep.v[i];
-    for (c = pl->rbeg.v[q]; c < pl->rend.v[q]; ++c)
-      lower(&pl->first.v[c], pl->zbeg.v[q]);
+    for (c = pl->rbeg.v[q]; c < pl->rend.v[q]; ++c) lower(&pl->first.v[c], pl->zbeg.v[q]);
     for (c = pl->rend.v[q]; c < pl->zend.v[q] && pl->rbeg.v[q] < pl->rend.v[q]; ++c)
       lower(&pl->first.v[c], pl->rbeg.v[q]);
   }
@@ -267,13 +258,11 @@ static maggi_status compile(maggi_data *d)
   MAGGI_PLAN_LIST(X)
 #undef X
   status = maggi_data_fit(d);
-  if (status != MAGGI_OK)
-    return status;
+  if (status != MAGGI_OK) return status;
   maggi_evaluate_factors(d);
   for (k = 0; k < t->nisland; ++k) {
     n = t->isldep[k + 1] - t->isldep[k];
-    for (i = 0; i < n; ++i)
-      d->piv0[t->isldep[k] + i] = 1.0 / d->chol[t->islchol[k] + i * n + i];
+    for (i = 0; i < n; ++i) d->piv0[t->isldep[k] + i] = 1.0 / d->chol[t->islchol[k] + i * n + i];
   }
   return MAGGI_OK;
 }
@@ -291,8 +280,7 @@ static int same_choice(const maggi_data *d)
   int i;
 
   for (i = 0; i < d->t.nq; ++i)
-    if ((pl->owner[i] < 0) != (pl->previous[i] < 0))
-      return 0;
+    if ((pl->owner[i] < 0) != (pl->previous[i] < 0)) return 0;
   return 1;
 }
 
@@ -309,25 +297,19 @@ maggi_status maggi_plan_renew(maggi_data *d, int *changed)
   memcpy(pl->previous, pl->owner, size);
   memcpy(d->piv1, d->piv0, (size_t)d->t.nq * sizeof(double));
   status = maggi_choose(d, 0, 0.5);
-  if (status != MAGGI_OK)
-    return status;
-  for (i = 0; i < d->t.nloop; ++i)
-    rank += pl->rank[i];
+  if (status != MAGGI_OK) return status;
+  for (i = 0; i < d->t.nloop; ++i) rank += pl->rank[i];
   if (rank == old_rank && !same_choice(d)) {
     status = compile(d);
-    if (status != MAGGI_OK)
-      return status;
+    if (status != MAGGI_OK) return status;
     *changed = maggi_smallest_pivot(d, &ratio, &dep) > 2.0 * old;
-    if (*changed)
-      return MAGGI_OK;
+    if (*changed) return MAGGI_OK;
   }
   /* nothing better: back to what was */
   memcpy(pl->owner, pl->previous, size);
-  for (i = 0; i < d->t.nloop; ++i)
-    pl->rank[i] = 0;
+  for (i = 0; i < d->t.nloop; ++i) pl->rank[i] = 0;
   for (i = 0; i < d->t.nq; ++i)
-    if (pl->owner[i] >= 0)
-      ++pl->rank[pl->owner[i]];
+    if (pl->owner[i] >= 0) ++pl->rank[pl->owner[i]];
   status = compile(d);
   memcpy(d->piv0, d->piv1, (size_t)d->t.nq * sizeof(double));
   return status;

@@ -18,11 +18,11 @@ typedef struct maggi_ints {
 } maggi_ints;
 
 struct maggi_planner {
-  int *order;     /* (nloop) loops with short paths first */
-  int *loopprim;  /* (nloop + 1) first building block of a loop */
-  int *owner;     /* (nq) loop on which a coordinate depends, -1 if none */
-  int *previous;  /* (nq) owner before the last choice */
-  int *rank;      /* (nloop) dependents of a loop */
+  int *order;    /* (nloop) loops with short paths first */
+  int *loopprim; /* (nloop + 1) first building block of a loop */
+  int *owner;    /* (nq) loop on which a coordinate depends, -1 if none */
+  int *previous; /* (nq) owner before the last choice */
+  int *rank;     /* (nloop) dependents of a loop */
   /* choose.c */
   maggi_row *row; /* (nq) */
   int *poolq;
@@ -32,7 +32,7 @@ struct maggi_planner {
   int *columnq;   /* (nq) its inverse */
   double *matrix; /* (rows of a loop x candidates) */
   size_t capmatrix;
-  double *sum;    /* (nq) */
+  double *sum; /* (nq) */
   /* plan.c */
   int *component, *low, *index, *stack, *frame, *at; /* (nloop + 1) Tarjan */
   int *loopisland;                                   /* (nloop) island of a loop, -1 */

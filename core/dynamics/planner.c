@@ -10,13 +10,11 @@ int maggi_sized(maggi_ints *list, int n, int value)
 
   if (n > list->cap || !list->v) {
     v = realloc(list->v, (size_t)(n + n / 4 + 16) * sizeof *v);
-    if (!v)
-      return 0;
+    if (!v) return 0;
     list->v = v;
     list->cap = n + n / 4 + 16;
   }
-  for (i = 0; i < n; ++i)
-    list->v[i] = value;
+  for (i = 0; i < n; ++i) list->v[i] = value;
   list->n = n;
   return 1;
 }
@@ -27,8 +25,7 @@ int maggi_push_int(maggi_ints *list, int value)
 
   if (n == list->cap) {
     v = realloc(list->v, (size_t)(2 * n + 16) * sizeof *v);
-    if (!v)
-      return 0;
+    if (!v) return 0;
     list->v = v;
     list->cap = 2 * n + 16;
   }
@@ -51,14 +48,13 @@ static void sort_loops(const maggi_topo *t, int *order)
       longest = t->pathadr[loop + 1] - t->pathadr[loop];
   for (length = 0; length <= longest; ++length)
     for (loop = 0; loop < t->nloop; ++loop)
-      if (t->pathadr[loop + 1] - t->pathadr[loop] == length)
-        order[n++] = loop;
+      if (t->pathadr[loop + 1] - t->pathadr[loop] == length) order[n++] = loop;
 }
 
 /* the longest that the lists can become, so that another choice while running allocates nothing */
 static int reserve(maggi_planner *pl, const maggi_topo *t)
 {
-  maggi_ints *pairs[] = {&pl->iipair, &pl->iirow, &pl->iicol, &pl->idpair, &pl->iddep,
+  maggi_ints *pairs[] = {&pl->iipair, &pl->iirow,  &pl->iicol, &pl->idpair, &pl->iddep,
                          &pl->idcol,  &pl->ddpair, &pl->dddst, &pl->ddsrc};
   maggi_ints *rows[] = {&pl->vrowbeg, &pl->vrowend, &pl->vbase, &pl->vnext,
                         &pl->vopdst,  &pl->vopsrc,  &pl->vopq};
@@ -69,8 +65,7 @@ static int reserve(maggi_planner *pl, const maggi_topo *t)
     nent += t->pathadr[t->primloop[i] + 1] - t->pathadr[t->primloop[i]];
   for (i = 0; i < (int)(sizeof pairs / sizeof *pairs); ++i)
     ok = maggi_sized(pairs[i], t->npair, 0) && ok;
-  for (i = 0; i < (int)(sizeof rows / sizeof *rows); ++i)
-    ok = maggi_sized(rows[i], nrow, 0) && ok;
+  for (i = 0; i < (int)(sizeof rows / sizeof *rows); ++i) ok = maggi_sized(rows[i], nrow, 0) && ok;
   for (i = 0; i < (int)(sizeof entries / sizeof *entries); ++i)
     ok = maggi_sized(entries[i], nent, 0) && ok;
   return ok;
@@ -84,8 +79,7 @@ maggi_status maggi_planner_create(const maggi_model *m, maggi_planner **planner)
 
   *planner = NULL;
   pl = calloc(1, sizeof *pl);
-  if (!pl)
-    return MAGGI_E_MEMORY;
+  if (!pl) return MAGGI_E_MEMORY;
   pl->order = ints(t->nloop);
   pl->loopprim = ints(t->nloop + 1);
   pl->owner = ints(t->nq);
@@ -107,22 +101,21 @@ maggi_status maggi_planner_create(const maggi_model *m, maggi_planner **planner)
   pl->climb = ints(t->nbody);
   ok = pl->order && pl->loopprim && pl->owner && pl->previous && pl->rank && pl->row &&
        pl->candidate && pl->columnq && pl->sum && pl->component && pl->low && pl->index &&
-       pl->stack && pl->frame && pl->at && pl->loopisland && pl->local && pl->vhead && pl->climb && reserve(pl, t);
+       pl->stack && pl->frame && pl->at && pl->loopisland && pl->local && pl->vhead && pl->climb &&
+       reserve(pl, t);
   if (!ok) {
     maggi_planner_free(pl);
     return MAGGI_E_MEMORY;
   }
   sort_loops(t, pl->order);
-  for (i = 0; i < t->nprim; ++i)
-    pl->loopprim[t->primloop[i] + 1] = i + 1;
+  for (i = 0; i < t->nprim; ++i) pl->loopprim[t->primloop[i] + 1] = i + 1;
   *planner = pl;
   return MAGGI_OK;
 }
 
 void maggi_planner_free(maggi_planner *pl)
 {
-  if (!pl)
-    return;
+  if (!pl) return;
   free(pl->order);
   free(pl->loopprim);
   free(pl->owner);
@@ -152,4 +145,3 @@ void maggi_planner_free(maggi_planner *pl)
 #undef X
   free(pl);
 }
-

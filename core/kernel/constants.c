@@ -52,12 +52,10 @@ static void carry(const double n[3], const double m[3], const double v[3], doubl
   maggi_cross(n, m, s);
   maggi_cross(s, v, sv);
   f = maggi_dot(s, v) / (1.0 + c);
-  for (k = 0; k < 3; ++k)
-    u[k] = c * v[k] + sv[k] + f * s[k];
+  for (k = 0; k < 3; ++k) u[k] = c * v[k] + sv[k] + f * s[k];
 }
 
-static void direction(int np, const double p[np], int kind, int adr, int aux, int lean,
-                      double u[3])
+static void direction(int np, const double p[np], int kind, int adr, int aux, int lean, double u[3])
 {
   double a[3], n[3], m[3], w[3], c[3];
 
@@ -145,14 +143,11 @@ static void lump(int kind, int adr, int np, const double p[np], int refadr, doub
   double m;
   double g[3], e[3], J[6];
 
-  for (k = 0; k < 6; ++k)
-    J[k] = 0.0;
+  for (k = 0; k < 6; ++k) J[k] = 0.0;
   m = p[adr];
   if (kind == MAGGI_LUMP_RIGID) {
-    for (k = 0; k < 3; ++k)
-      g[k] = p[adr + 1 + k] - p[refadr + k];
-    for (k = 0; k < 6; ++k)
-      J[k] = p[adr + 4 + k];
+    for (k = 0; k < 3; ++k) g[k] = p[adr + 1 + k] - p[refadr + k];
+    for (k = 0; k < 6; ++k) J[k] = p[adr + 4 + k];
     lump_add(m, g, J, body);
   } else if (kind == MAGGI_LUMP_BAR) {
     for (k = 0; k < 3; ++k) {
@@ -162,16 +157,13 @@ static void lump(int kind, int adr, int np, const double p[np], int refadr, doub
     bar_inertia(m, e, J);
     lump_add(m, g, J, body);
   } else if (kind == MAGGI_LUMP_POINT) {
-    for (k = 0; k < 3; ++k)
-      g[k] = p[adr + 1 + k] - p[refadr + k];
+    for (k = 0; k < 3; ++k) g[k] = p[adr + 1 + k] - p[refadr + k];
     lump_add(m, g, J, body);
   } else if (kind == MAGGI_LUMP_ROD_A) {
-    for (k = 0; k < 3; ++k)
-      g[k] = p[adr + 1 + k] - p[refadr + k];
+    for (k = 0; k < 3; ++k) g[k] = p[adr + 1 + k] - p[refadr + k];
     lump_add(m / 3.0, g, J, body);
   } else {
-    for (k = 0; k < 3; ++k)
-      g[k] = p[adr + 4 + k] - p[refadr + k];
+    for (k = 0; k < 3; ++k) g[k] = p[adr + 4 + k] - p[refadr + k];
     lump_add(m / 3.0, g, J, body);
   }
 }
@@ -181,8 +173,7 @@ void maggi_inertia_constants(const maggi_topo *t, const double p[t->np], double 
   int i, k;
 
   for (i = 0; i < t->nbody; ++i)
-    for (k = 0; k < 10; ++k)
-      body0[i][k] = 0.0;
+    for (k = 0; k < 10; ++k) body0[i][k] = 0.0;
   for (i = 0; i < t->nlump; ++i)
     lump(t->lumpkind[i], t->lumpadr[i], t->np, p, t->jpointadr[t->lumpbody[i]],
          body0[t->lumpbody[i]]);

@@ -65,18 +65,16 @@ static void spring(int adr, int preload, int withslopes, int np, const double p[
 }
 
 static void load_value(int kind, int np, const double p[np], int adr, double s, const double A[9],
-                 double f[3])
+                       double f[3])
 {
   int k;
   double c[3];
 
-  for (k = 0; k < 3; ++k)
-    c[k] = p[adr + k] * s;
+  for (k = 0; k < 3; ++k) c[k] = p[adr + k] * s;
   if (kind == MAGGI_FORCE_BODY || kind == MAGGI_TORQUE_BODY) {
     maggi_mul(A, c, f);
   } else {
-    for (k = 0; k < 3; ++k)
-      f[k] = c[k];
+    for (k = 0; k < 3; ++k) f[k] = c[k];
   }
 }
 
@@ -88,8 +86,7 @@ static double apply(int is_force, const double f[3], const double r[3], const do
   double power;
   double back[3], v[3], v2[3];
 
-  for (k = 0; k < 3; ++k)
-    back[k] = -f[k];
+  for (k = 0; k < 3; ++k) back[k] = -f[k];
   if (is_force) {
     maggi_wrench_add(f, r, F);
     maggi_wrench_add(back, r, F2);
@@ -119,12 +116,9 @@ void maggi_element_forces(const maggi_topo *t, const double p[t->np], const doub
 
   power[0] = 0.0;
   for (i = 0; i <= t->nbody; ++i)
-    for (k = 0; k < 6; ++k)
-      Q[i][k] = 0.0;
-  for (i = 0; i < t->nq; ++i)
-    tau[i] = 0.0;
-  for (k = 0; k < 3; ++k)
-    zero[k] = 0.0;
+    for (k = 0; k < 6; ++k) Q[i][k] = 0.0;
+  for (i = 0; i < t->nq; ++i) tau[i] = 0.0;
+  for (k = 0; k < 3; ++k) zero[k] = 0.0;
 
   for (i = 0; i < t->nspring; ++i) {
     a = t->springpa[i];
@@ -148,16 +142,14 @@ void maggi_element_forces(const maggi_topo *t, const double p[t->np], const doub
     s = -p[adr + MAGGI_JSPRING_K] * (z - p[adr + MAGGI_JSPRING_REST]) -
         p[adr + MAGGI_JSPRING_C] * w - p[adr + MAGGI_JSPRING_PRELOAD];
     tau[a] += s;
-    if (b >= 0)
-      tau[b] -= s;
+    if (b >= 0) tau[b] -= s;
     power[0] -= p[adr + MAGGI_JSPRING_C] * w * w;
   }
 
   for (i = 0; i < t->nforce; ++i) {
     adr = t->forceadr[i];
     s = 1.0;
-    if (t->forcefun[i] >= 0)
-      s = fun[t->forcefun[i]][0];
+    if (t->forcefun[i] >= 0) s = fun[t->forcefun[i]][0];
     if (t->forcekind[i] == MAGGI_FORCE_JOINT) {
       a = t->forceq[i];
       tau[a] += p[adr] * s;

@@ -38,8 +38,7 @@ static double weight(const double g[3], const double body0[10], const double A[9
   h0[2] = body0[3];
   maggi_mul(A, h0, h);
   e = 0.0;
-  for (k = 0; k < 3; ++k)
-    e -= g[k] * (body0[0] * (x[k] - ground[k] + origin[k]) + h[k]);
+  for (k = 0; k < 3; ++k) e -= g[k] * (body0[0] * (x[k] - ground[k] + origin[k]) + h[k]);
   return e;
 }
 
@@ -69,16 +68,15 @@ void maggi_potential_energy(const maggi_topo *t, const double p[t->np], const do
     z = t->pointbody[a] == t->nbody ? 0.5 : 1.0 / 6.0;
     l = t->pointbody[b] == t->nbody ? 0.5 : 1.0 / 6.0;
     for (k = 0; k < 3; ++k)
-      energy[0] -= p[t->rodadr[i]] * p[k] *
-                   (z * (r[a][k] - x[t->nbody][k] + origin[k]) +
-                    l * (r[b][k] - x[t->nbody][k] + origin[k]));
+      energy[0] -=
+          p[t->rodadr[i]] * p[k] *
+          (z * (r[a][k] - x[t->nbody][k] + origin[k]) + l * (r[b][k] - x[t->nbody][k] + origin[k]));
   }
   for (i = 0; i < t->nspring; ++i) {
     a = t->springpa[i];
     b = t->springpb[i];
     adr = t->springadr[i];
-    for (k = 0; k < 3; ++k)
-      e[k] = r[a][k] - r[b][k];
+    for (k = 0; k < 3; ++k) e[k] = r[a][k] - r[b][k];
     l = sqrt(maggi_dot(e, e));
     if (t->springpreload[i])
       energy[0] += 0.5 * p[adr + MAGGI_SPRING_K] * (l - spring0[i]) * (l - spring0[i]) +
@@ -92,8 +90,7 @@ void maggi_potential_energy(const maggi_topo *t, const double p[t->np], const do
     b = t->jspringq2[i];
     adr = t->jspringadr[i];
     z = q[a];
-    if (b >= 0)
-      z = q[a] - q[b];
+    if (b >= 0) z = q[a] - q[b];
     energy[0] += 0.5 * p[adr + MAGGI_JSPRING_K] * (z - p[adr + MAGGI_JSPRING_REST]) *
                      (z - p[adr + MAGGI_JSPRING_REST]) +
                  p[adr + MAGGI_JSPRING_PRELOAD] * z;

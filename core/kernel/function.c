@@ -24,11 +24,11 @@ static void spline(int np, const double p[np], int adr, int n, int row, int nspl
   }
   s[row][0] = 0.0;
   s[row + n - 1][0] = 0.0;
-  for (k = n - 2; k > 0; --k)
-    s[row + k][0] = s[row + k][1] - s[row + k][2] * s[row + k + 1][0];
+  for (k = n - 2; k > 0; --k) s[row + k][0] = s[row + k][1] - s[row + k][2] * s[row + k + 1][0];
 }
 
-void maggi_spline_constants(const maggi_topo *t, const double p[t->np], double spline0[t->nspline][3])
+void maggi_spline_constants(const maggi_topo *t, const double p[t->np],
+                            double spline0[t->nspline][3])
 {
   int i;
 
@@ -48,8 +48,7 @@ static void polynomial(int np, const double p[np], int adr, int n, double time, 
   for (k = 1; k < n; ++k) {
     f[0] += p[adr + k] * pow(time, k);
     f[1] += p[adr + k] * k * pow(time, k - 1);
-    if (k > 1)
-      f[2] += p[adr + k] * k * (k - 1) * pow(time, k - 2);
+    if (k > 1) f[2] += p[adr + k] * k * (k - 1) * pow(time, k - 2);
   }
 }
 
@@ -81,8 +80,7 @@ static int piece(int np, const double p[np], int adr, int n, double time)
   int k;
 
   for (k = -1; k < n - 1; ++k)
-    if (MAGGI_RE(time) < MAGGI_RE(p[adr + k + 1]))
-      return k;
+    if (MAGGI_RE(time) < MAGGI_RE(p[adr + k + 1])) return k;
   return n - 1;
 }
 
@@ -91,10 +89,8 @@ static void knots(int np, const double p[np], int adr, int n, double time, doubl
   int k;
 
   k = piece(np, p, adr, n, time);
-  if (k < 0)
-    k = 0;
-  if (k > n - 2)
-    k = n - 2;
+  if (k < 0) k = 0;
+  if (k > n - 2) k = n - 2;
   quintic(time, p[adr + k], p[adr + k + 1], p[adr + n + k], p[adr + n + k + 1], f);
 }
 
@@ -123,8 +119,8 @@ static void spline_value(int np, const double p[np], int adr, int n, int madr, i
     a = p[adr + k + 1] - time;
     c = time - p[adr + k];
     e = (p[adr + n + k + 1] - p[adr + n + k]) / h - h / 6.0 * (m[madr + k + 1][0] - m[madr + k][0]);
-    f[0] = (m[madr + k][0] * a * a * a + m[madr + k + 1][0] * c * c * c) / (6.0 * h) + p[adr + n + k] -
-           m[madr + k][0] * h * h / 6.0 + e * c;
+    f[0] = (m[madr + k][0] * a * a * a + m[madr + k + 1][0] * c * c * c) / (6.0 * h) +
+           p[adr + n + k] - m[madr + k][0] * h * h / 6.0 + e * c;
     f[1] = (m[madr + k + 1][0] * c * c - m[madr + k][0] * a * a) / (2.0 * h) + e;
     f[2] = (m[madr + k][0] * a + m[madr + k + 1][0] * c) / h;
   }
@@ -142,8 +138,8 @@ static void sine(double amplitude, double omega, double phase, double offset, do
   f[2] = -amplitude * omega * omega * s;
 }
 
-void maggi_functions(const maggi_topo *t, const double p[t->np], const double spline0[t->nspline][3],
-                     double time, double fun[t->nfun][3])
+void maggi_functions(const maggi_topo *t, const double p[t->np],
+                     const double spline0[t->nspline][3], double time, double fun[t->nfun][3])
 {
   int i, k;
 

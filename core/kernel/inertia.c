@@ -3,8 +3,7 @@
 
 /* J = A J0 A^T, h = A h0 about the joint point x, moved to P:
  *   h += m x,  J += (x.s) I - (x s^T + s x^T)/2,  s = m x + 2 A h0 */
-static void body_inertia(const double body0[10], const double A[9], const double x[3],
-                         double I[10])
+static void body_inertia(const double body0[10], const double A[9], const double x[3], double I[10])
 {
   int k;
   double m, xs;
@@ -70,8 +69,7 @@ void maggi_inertia_forces(const maggi_topo *t, const double I[t->nbody][10],
   int i, k;
 
   for (i = 0; i <= t->nbody; ++i)
-    for (k = 0; k < 6; ++k)
-      F[i][k] = 0.0;
+    for (k = 0; k < 6; ++k) F[i][k] = 0.0;
   for (i = 0; i < t->nmassive; ++i)
     inertia_force(I[t->massive[i]], Z[t->massive[i]], Za[t->massive[i]], F[t->massive[i]]);
 }
@@ -124,16 +122,14 @@ static void inertia_add(const double I[10], double IS[10])
 {
   int k;
 
-  for (k = 0; k < 10; ++k)
-    IS[k] += I[k];
+  for (k = 0; k < 10; ++k) IS[k] += I[k];
 }
 
 static void inertia_copy(const double I[10], double IS[10])
 {
   int k;
 
-  for (k = 0; k < 10; ++k)
-    IS[k] = I[k];
+  for (k = 0; k < 10; ++k) IS[k] = I[k];
 }
 
 /* IS_i = I_i + sum over children; a rod counts once, on the body that carries both its ends */
@@ -143,30 +139,25 @@ void maggi_composite_inertias(const maggi_topo *t, const double p[t->np],
 {
   int i, k;
 
-  for (k = 0; k < 10; ++k)
-    IS[t->nbody][k] = 0.0;
-  for (i = 0; i < t->nbody; ++i)
-    inertia_copy(I[i], IS[i]);
+  for (k = 0; k < 10; ++k) IS[t->nbody][k] = 0.0;
+  for (i = 0; i < t->nbody; ++i) inertia_copy(I[i], IS[i]);
   for (i = 0; i < t->nrod; ++i)
     rod_inertia_add(p[t->rodadr[i]], r[t->rodpa[i]], r[t->rodpb[i]], IS[t->rodcommon[i]]);
-  for (i = 0; i < t->nbody; ++i)
-    inertia_add(IS[i], IS[t->parent[i]]);
+  for (i = 0; i < t->nbody; ++i) inertia_add(IS[i], IS[t->parent[i]]);
 }
 
 static void wrench_sum(const double F[6], double FS[6])
 {
   int k;
 
-  for (k = 0; k < 6; ++k)
-    FS[k] += F[k];
+  for (k = 0; k < 6; ++k) FS[k] += F[k];
 }
 
 static void wrench_first(const double F[6], const double Q[6], double FS[6])
 {
   int k;
 
-  for (k = 0; k < 6; ++k)
-    FS[k] = F[k] + Q[k];
+  for (k = 0; k < 6; ++k) FS[k] = F[k] + Q[k];
 }
 
 /* FS_i = F_i + Q_i + sum over children */
@@ -175,8 +166,6 @@ void maggi_accumulate(const maggi_topo *t, const double F[t->nbody + 1][6],
 {
   int i;
 
-  for (i = 0; i <= t->nbody; ++i)
-    wrench_first(F[i], Q[i], FS[i]);
-  for (i = 0; i < t->nbody; ++i)
-    wrench_sum(FS[i], FS[t->parent[i]]);
+  for (i = 0; i <= t->nbody; ++i) wrench_first(F[i], Q[i], FS[i]);
+  for (i = 0; i < t->nbody; ++i) wrench_sum(FS[i], FS[t->parent[i]]);
 }

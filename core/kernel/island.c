@@ -24,8 +24,7 @@ static void normal_matrix(int m, int n, int phiadr, int nphi, const double phi[n
   for (i = 0; i < n; ++i) {
     for (j = 0; j <= i; ++j) {
       s = 0.0;
-      for (k = 0; k < m; ++k)
-        s += phi[phiadr + k * n + i] * phi[phiadr + k * n + j];
+      for (k = 0; k < m; ++k) s += phi[phiadr + k * n + i] * phi[phiadr + k * n + j];
       chol[adr + i * n + j] = s;
     }
   }
@@ -54,8 +53,7 @@ static void row_update(int width, int dst, int src, int begin, int end, int stri
       at = (dst * 6 + k) * stride + c;
       from = (src * 6 + k) * stride + c;
 #pragma omp simd
-      for (i = 0; i < width; ++i)
-        V[at + i] = V[from + i] + b[k] * R[q * stride + c + i];
+      for (i = 0; i < width; ++i) V[at + i] = V[from + i] + b[k] * R[q * stride + c + i];
     }
   }
 }
@@ -138,8 +136,8 @@ static void prim_rate(int width, int kind, int row, int va, int vb, int begin, i
       for (i = 0; i < width; ++i)
         Y[y + i] = f[0] * (V[b + i] - V[a + i]) + f[1] * (V[b + k + i] - V[a + k + i]) +
                    f[2] * (V[b + 2 * k + i] - V[a + 2 * k + i]) + mb[0] * V[b + 3 * k + i] -
-                   ma[0] * V[a + 3 * k + i] + mb[1] * V[b + 4 * k + i] -
-                   ma[1] * V[a + 4 * k + i] + mb[2] * V[b + 5 * k + i] - ma[2] * V[a + 5 * k + i];
+                   ma[0] * V[a + 3 * k + i] + mb[1] * V[b + 4 * k + i] - ma[1] * V[a + 4 * k + i] +
+                   mb[2] * V[b + 5 * k + i] - ma[2] * V[a + 5 * k + i];
     }
   }
 }
@@ -156,16 +154,15 @@ void maggi_island_columns(const maggi_topo *t, const double prim0[t->nprim],
   for (k = 0; k < t->nisland; ++k) {
     for (i = t->islvop[k]; i < t->islvop[k + 1]; ++i) {
       j = t->vopdst[i];
-      row_update(MAGGI_WIDTH, j, t->vopsrc[i], t->vrowbeg[j], t->vrowend[j], t->stride,
-                 t->vopq[i], b[t->qbody[t->vopq[i]]], t->nq * t->stride, R,
-                 t->nvrow * 6 * t->stride, V);
+      row_update(MAGGI_WIDTH, j, t->vopsrc[i], t->vrowbeg[j], t->vrowend[j], t->stride, t->vopq[i],
+                 b[t->qbody[t->vopq[i]]], t->nq * t->stride, R, t->nvrow * 6 * t->stride, V);
     }
     for (i = t->islprim[k]; i < t->islprim[k + 1]; ++i) {
       j = t->primorder[i];
-      prim_rate(MAGGI_WIDTH, t->primkind[j], t->primy[j], t->primva[j], t->primvb[j],
-                t->islbeg[k], t->islend[k], t->stride, prim0[j], r[t->primpa[j]],
-                r[t->primpb[j]], dir[t->primda[j]], dir[t->primdb[j]],
-                t->nvrow * 6 * t->stride, V, t->nrow * t->stride, Y);
+      prim_rate(MAGGI_WIDTH, t->primkind[j], t->primy[j], t->primva[j], t->primvb[j], t->islbeg[k],
+                t->islend[k], t->stride, prim0[j], r[t->primpa[j]], r[t->primpb[j]],
+                dir[t->primda[j]], dir[t->primdb[j]], t->nvrow * 6 * t->stride, V,
+                t->nrow * t->stride, Y);
     }
     maggi_solve_columns(t->islrow[k + 1] - t->islrow[k], t->isldep[k + 1] - t->isldep[k],
                         t->islphi[k], phi, t->islchol[k], chol, t->islrow[k], Y, t->stride,
@@ -185,8 +182,8 @@ void maggi_island_vector(const maggi_topo *t, const double prim0[t->nprim],
 
   for (k = 0; k < t->nisland; ++k) {
     for (i = t->islvop[k]; i < t->islvop[k + 1]; ++i)
-      row_update(1, t->vopdst[i], t->vopsrc[i], 0, 1, 1, t->vopq[i], b[t->qbody[t->vopq[i]]],
-                 t->nq, x, t->nvrow * 6, v1);
+      row_update(1, t->vopdst[i], t->vopsrc[i], 0, 1, 1, t->vopq[i], b[t->qbody[t->vopq[i]]], t->nq,
+                 x, t->nvrow * 6, v1);
     for (i = t->islprim[k]; i < t->islprim[k + 1]; ++i) {
       j = t->primorder[i];
       prim_rate(1, t->primkind[j], t->primy[j], t->primva[j], t->primvb[j], 0, 1, 1, prim0[j],
@@ -211,8 +208,7 @@ static double row_dot(int row, int begin, int end, int nR, const double R[nR], i
   s = 0.0;
   for (c = begin / MAGGI_WIDTH * MAGGI_WIDTH; c < end; c += MAGGI_WIDTH) {
 #pragma omp simd reduction(+ : s)
-    for (i = 0; i < MAGGI_WIDTH; ++i)
-      s += R[row + c + i] * v[c + i];
+    for (i = 0; i < MAGGI_WIDTH; ++i) s += R[row + c + i] * v[c + i];
   }
   return s;
 }
@@ -223,11 +219,10 @@ void maggi_expand(const maggi_topo *t, const double R[t->nq * t->stride],
 {
   int i, k, c;
 
-  for (c = 0; c < t->ncol; ++c)
-    v[t->colq[c]] = vcol[c];
+  for (c = 0; c < t->ncol; ++c) v[t->colq[c]] = vcol[c];
   for (i = 0; i < t->ndep; ++i) {
     k = t->dep[i];
-    v[k] = x0[k] + row_dot(k * t->stride, t->rbeg[k], t->rend[k], t->nq * t->stride, R, t->stride,
-                           vcol);
+    v[k] = x0[k] +
+           row_dot(k * t->stride, t->rbeg[k], t->rend[k], t->nq * t->stride, R, t->stride, vcol);
   }
 }

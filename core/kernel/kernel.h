@@ -35,9 +35,10 @@ void maggi_point_constants(const maggi_topo *t, const double p[t->np], const dou
                            double prim0[t->nprim], double spring0[t->nspring]);
 
 /* function.c: time functions and their two derivatives */
-void maggi_spline_constants(const maggi_topo *t, const double p[t->np], double spline0[t->nspline][3]);
-void maggi_functions(const maggi_topo *t, const double p[t->np], const double spline0[t->nspline][3],
-                     double time, double fun[t->nfun][3]);
+void maggi_spline_constants(const maggi_topo *t, const double p[t->np],
+                            double spline0[t->nspline][3]);
+void maggi_functions(const maggi_topo *t, const double p[t->np],
+                     const double spline0[t->nspline][3], double time, double fun[t->nfun][3]);
 
 /* position.c: poses and joints */
 void maggi_positions(const maggi_topo *t, const double offset0[t->nbody][3],
@@ -118,7 +119,6 @@ void maggi_element_forces(const maggi_topo *t, const double p[t->np], const doub
                           const double Z[t->nbody + 1][6], const double r[t->npoint][3],
                           const double rv[t->npoint][3], double Q[t->nbody + 1][6],
                           double tau[t->nq], double power[1]);
-
 
 /* mass.c: mass matrix, its reduction, right-hand side */
 void maggi_mass_matrix(const maggi_topo *t, const double p[t->np], const double b[t->nbody][6],

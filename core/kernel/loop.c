@@ -17,14 +17,11 @@ static void prim_residual(int kind, int row, double c, const double ra[3], const
   int k;
   double e[3];
 
-  for (k = 0; k < 3; ++k)
-    e[k] = ra[k] - rb[k];
+  for (k = 0; k < 3; ++k) e[k] = ra[k] - rb[k];
   if (kind == MAGGI_PRIM_POINT) {
-    for (k = 0; k < 3; ++k)
-      res[row + k] = e[k];
+    for (k = 0; k < 3; ++k) res[row + k] = e[k];
   } else if (kind == MAGGI_PRIM_AXIS) {
-    for (k = 0; k < 3; ++k)
-      res[row + k] = da[k] - db[k];
+    for (k = 0; k < 3; ++k) res[row + k] = da[k] - db[k];
   } else if (kind == MAGGI_PRIM_ANGLE) {
     res[row] = maggi_dot(da, db) - c;
   } else if (kind == MAGGI_PRIM_PLANE) {
@@ -157,16 +154,14 @@ static void prim_gamma(int kind, int row, double length, const double ra[3], con
     ea[k] = aa[k] - ab[k];
   }
   if (kind == MAGGI_PRIM_POINT) {
-    for (k = 0; k < 3; ++k)
-      gam[row + k] = -ea[k];
+    for (k = 0; k < 3; ++k) gam[row + k] = -ea[k];
   } else if (kind == MAGGI_PRIM_ROD) {
     gam[row] = -(maggi_dot(ea, e) + maggi_dot(ev, ev)) / length;
   } else {
     direction_rates(Za, Z0a, da, da1, da2);
     direction_rates(Zb, Z0b, db, db1, db2);
     if (kind == MAGGI_PRIM_AXIS) {
-      for (k = 0; k < 3; ++k)
-        gam[row + k] = db2[k] - da2[k];
+      for (k = 0; k < 3; ++k) gam[row + k] = db2[k] - da2[k];
     } else if (kind == MAGGI_PRIM_ANGLE) {
       gam[row] = -(maggi_dot(da2, db) + 2.0 * maggi_dot(da1, db1) + maggi_dot(da, db2));
     } else {

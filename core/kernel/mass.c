@@ -14,13 +14,11 @@ void maggi_mass_matrix(const maggi_topo *t, const double p[t->np], const double 
 {
   int i, k, a, c;
 
-  for (i = 0; i < t->nq; ++i)
-    maggi_inertia_mul(IS[t->qbody[i]], b[t->qbody[i]], Fb[i]);
+  for (i = 0; i < t->nq; ++i) maggi_inertia_mul(IS[t->qbody[i]], b[t->qbody[i]], Fb[i]);
   for (i = 0; i < t->nq; ++i)
     for (k = t->pairadr[i]; k < t->pairadr[i + 1]; ++k)
       M[k] = maggi_dot6(b[t->qbody[t->pairj[k]]], Fb[i]);
-  for (k = t->ntreepair; k < t->npair; ++k)
-    M[k] = 0.0;
+  for (k = t->ntreepair; k < t->npair; ++k) M[k] = 0.0;
   for (i = 0; i < t->nrodjac; ++i)
     maggi_point_rate(b[t->qbody[t->rodjacq[i]]], r[t->rodjacpoint[i]], rodjac[i]);
   for (i = 0; i < t->nrodpair; ++i) {
@@ -38,8 +36,7 @@ static void row_axpy(int dst, int src, int begin, int end, double f, int nR, con
 
   for (c = begin / MAGGI_WIDTH * MAGGI_WIDTH; c < end; c += MAGGI_WIDTH) {
 #pragma omp simd
-    for (i = 0; i < MAGGI_WIDTH; ++i)
-      Z[dst + c + i] += f * R[src + c + i];
+    for (i = 0; i < MAGGI_WIDTH; ++i) Z[dst + c + i] += f * R[src + c + i];
   }
 }
 
@@ -49,8 +46,7 @@ static void outer_add(int row, int rbeg, int rend, int zbeg, int zend, int strid
 {
   int c;
 
-  for (c = zbeg; c < rbeg; ++c)
-    row_axpy(c * stride, row, rbeg, rend, Z[row + c], n, R, nM, M);
+  for (c = zbeg; c < rbeg; ++c) row_axpy(c * stride, row, rbeg, rend, Z[row + c], n, R, nM, M);
   for (c = rbeg; c < rend; ++c) {
     row_axpy(c * stride, row, c, zend, R[row + c], n, Z, nM, M);
     row_axpy(c * stride, row, c, rend, Z[row + c], n, R, nM, M);
@@ -63,8 +59,7 @@ static void row_zero(int row, int begin, int end, int n, double M[n])
 
   for (c = begin / MAGGI_WIDTH * MAGGI_WIDTH; c < end; c += MAGGI_WIDTH) {
 #pragma omp simd
-    for (i = 0; i < MAGGI_WIDTH; ++i)
-      M[row + c + i] = 0.0;
+    for (i = 0; i < MAGGI_WIDTH; ++i) M[row + c + i] = 0.0;
   }
 }
 
@@ -76,14 +71,11 @@ void maggi_reduced_mass(const maggi_topo *t, const double M[t->npair],
 
   nR = t->nq * t->stride;
   nM = t->ncol * t->stride;
-  for (i = 0; i < t->ncol; ++i)
-    row_zero(i * t->stride, i, t->ncol, nM, Mr);
+  for (i = 0; i < t->ncol; ++i) row_zero(i * t->stride, i, t->ncol, nM, Mr);
   for (i = 0; i < t->ndep; ++i)
     row_zero(t->dep[i] * t->stride, t->zbeg[t->dep[i]], t->zend[t->dep[i]], nR, MR);
-  for (i = 0; i < t->nii; ++i)
-    Mr[t->iirow[i] * t->stride + t->iicol[i]] += M[t->iipair[i]];
-  for (i = 0; i < t->nid; ++i)
-    MR[t->iddep[i] * t->stride + t->idcol[i]] += M[t->idpair[i]];
+  for (i = 0; i < t->nii; ++i) Mr[t->iirow[i] * t->stride + t->iicol[i]] += M[t->iipair[i]];
+  for (i = 0; i < t->nid; ++i) MR[t->iddep[i] * t->stride + t->idcol[i]] += M[t->idpair[i]];
   for (i = 0; i < t->ndd; ++i) {
     k = t->ddpair[i];
     dst = t->dddst[i];
@@ -105,10 +97,8 @@ void maggi_reduced_force(const maggi_topo *t, const double b[t->nbody][6],
 {
   int i, k, c;
 
-  for (i = 0; i < t->nq; ++i)
-    f[i] = maggi_dot6(b[t->qbody[i]], FS[t->qbody[i]]) + tau[i];
-  for (c = 0; c < t->ncol; ++c)
-    fr[c] = f[t->colq[c]];
+  for (i = 0; i < t->nq; ++i) f[i] = maggi_dot6(b[t->qbody[i]], FS[t->qbody[i]]) + tau[i];
+  for (c = 0; c < t->ncol; ++c) fr[c] = f[t->colq[c]];
   for (i = 0; i < t->ndep; ++i) {
     k = t->dep[i];
     row_axpy(0, k * t->stride, t->rbeg[k], t->rend[k], f[k], t->nq * t->stride, R, t->stride, fr);
@@ -122,14 +112,11 @@ void maggi_drives(const maggi_topo *t, const double Mr[t->ncol * t->stride],
   int i, k;
   double s;
 
-  for (i = 0; i < t->nind; ++i)
-    drive[i] = 0.0;
+  for (i = 0; i < t->nind; ++i) drive[i] = 0.0;
   for (i = t->nind; i < t->ncol; ++i) {
     s = -fr[i];
-    for (k = 0; k < i; ++k)
-      s += Mr[k * t->stride + i] * acol[k];
-    for (k = i; k < t->ncol; ++k)
-      s += Mr[i * t->stride + k] * acol[k];
+    for (k = 0; k < i; ++k) s += Mr[k * t->stride + i] * acol[k];
+    for (k = i; k < t->ncol; ++k) s += Mr[i * t->stride + k] * acol[k];
     drive[i] = s;
   }
 }

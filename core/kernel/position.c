@@ -70,8 +70,7 @@ static void joint_prismatic(const double Ap[9], const double xp[3], const double
 
   maggi_mul(Ap, offset0, e);
   maggi_mul(Ap, axis0, u);
-  for (k = 0; k < 9; ++k)
-    A[k] = Ap[k];
+  for (k = 0; k < 9; ++k) A[k] = Ap[k];
   for (k = 0; k < 3; ++k) {
     x[k] = xp[k] + e[k] + u[k] * q;
     b[k] = u[k];
@@ -86,8 +85,7 @@ static void joint_fixed(const double Ap[9], const double xp[3], const double off
   double e[3];
 
   maggi_mul(Ap, offset0, e);
-  for (k = 0; k < 9; ++k)
-    A[k] = Ap[k];
+  for (k = 0; k < 9; ++k) A[k] = Ap[k];
   for (k = 0; k < 3; ++k) {
     x[k] = xp[k] + e[k];
     b[k] = 0.0;
@@ -101,13 +99,10 @@ void maggi_positions(const maggi_topo *t, const double offset0[t->nbody][3],
 {
   int i, k, up;
 
-  for (k = 0; k < 9; ++k)
-    A[t->nbody][k] = k % 4 == 0 ? 1.0 : 0.0;
-  for (k = 0; k < 3; ++k)
-    x[t->nbody][k] = 0.0;
+  for (k = 0; k < 9; ++k) A[t->nbody][k] = k % 4 == 0 ? 1.0 : 0.0;
+  for (k = 0; k < 3; ++k) x[t->nbody][k] = 0.0;
   for (i = 0; i < t->nbase; ++i)
-    for (k = 0; k < 3; ++k)
-      x[t->nbody][k] -= axis0[t->base[i]][k] * q[t->qid[t->base[i]]];
+    for (k = 0; k < 3; ++k) x[t->nbody][k] -= axis0[t->base[i]][k] * q[t->qid[t->base[i]]];
 
   for (i = t->nbody - 1; i >= 0; --i) {
     up = t->parent[i];
@@ -137,8 +132,7 @@ void maggi_points(const maggi_topo *t, int begin, int end, const double point0[t
 {
   int i;
 
-  for (i = begin; i < end; ++i)
-    place(A[t->pointbody[i]], x[t->pointbody[i]], point0[i], r[i]);
+  for (i = begin; i < end; ++i) place(A[t->pointbody[i]], x[t->pointbody[i]], point0[i], r[i]);
 }
 
 void maggi_directions(const maggi_topo *t, const double dir0[t->ndir][3],
@@ -146,6 +140,5 @@ void maggi_directions(const maggi_topo *t, const double dir0[t->ndir][3],
 {
   int i;
 
-  for (i = 0; i < t->ndir; ++i)
-    maggi_mul(A[t->dirbody[i]], dir0[i], dir[i]);
+  for (i = 0; i < t->ndir; ++i) maggi_mul(A[t->dirbody[i]], dir0[i], dir[i]);
 }

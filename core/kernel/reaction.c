@@ -8,21 +8,19 @@
 
 /* L L^T y = y in place, one island */
 static void solve_factor(int n, int adr, int nchol, const double chol[nchol], int depadr,
-                       const int dep[], int nq, double y[nq])
+                         const int dep[], int nq, double y[nq])
 {
   int i, j;
   double s;
 
   for (i = 0; i < n; ++i) {
     s = y[dep[depadr + i]];
-    for (j = 0; j < i; ++j)
-      s -= chol[adr + i * n + j] * y[dep[depadr + j]];
+    for (j = 0; j < i; ++j) s -= chol[adr + i * n + j] * y[dep[depadr + j]];
     y[dep[depadr + i]] = s * chol[adr + i * n + i];
   }
   for (i = n - 1; i >= 0; --i) {
     s = y[dep[depadr + i]];
-    for (j = i + 1; j < n; ++j)
-      s -= chol[adr + j * n + i] * y[dep[depadr + j]];
+    for (j = i + 1; j < n; ++j) s -= chol[adr + j * n + i] * y[dep[depadr + j]];
     y[dep[depadr + i]] = s * chol[adr + i * n + i];
   }
 }
@@ -37,10 +35,8 @@ void maggi_loop_multipliers(const maggi_topo *t, const double prim0[t->nprim],
   double s;
   double e[3];
 
-  for (i = 0; i < t->nq; ++i)
-    wd[i] = w[i];
-  for (i = 0; i < t->nrow; ++i)
-    lambda[i] = 0.0;
+  for (i = 0; i < t->nq; ++i) wd[i] = w[i];
+  for (i = 0; i < t->nrow; ++i) lambda[i] = 0.0;
   for (k = t->nisland - 1; k >= 0; --k) {
     n = t->isldep[k + 1] - t->isldep[k];
     solve_factor(n, t->islchol[k], t->nchol, chol, t->isldep[k], t->dep, t->nq, wd);
@@ -59,8 +55,7 @@ void maggi_loop_multipliers(const maggi_topo *t, const double prim0[t->nprim],
       l = t->primloop[j];
       for (c = t->pathadr[l]; c < t->pathadr[l + 1]; ++c) {
         maggi_prim_entry(t->primkind[j], t->pathside[c], prim0[j], b[t->qbody[t->pathq[c]]],
-                         r[t->primpa[j]], r[t->primpb[j]], dir[t->primda[j]], dir[t->primdb[j]],
-                         e);
+                         r[t->primpa[j]], r[t->primpb[j]], dir[t->primda[j]], dir[t->primdb[j]], e);
         for (row = 0; row < maggi_prim_rows(t->primkind[j]); ++row)
           wd[t->pathq[c]] -= e[row] * lambda[t->primrow[j] + row];
       }
@@ -83,8 +78,7 @@ static void prim_force(int kind, int row, double length, const double ra[3], con
     l[k] = kind == MAGGI_PRIM_POINT || kind == MAGGI_PRIM_AXIS ? lambda[row + k] : lambda[row];
   }
   if (kind == MAGGI_PRIM_POINT) {
-    for (k = 0; k < 3; ++k)
-      fa[k] = -l[k];
+    for (k = 0; k < 3; ++k) fa[k] = -l[k];
   } else if (kind == MAGGI_PRIM_AXIS) {
     maggi_cross(l, da, ca);
     maggi_cross(db, l, cb);
@@ -95,14 +89,11 @@ static void prim_force(int kind, int row, double length, const double ra[3], con
       cb[k] = -ca[k];
     }
   } else if (kind == MAGGI_PRIM_PLANE) {
-    for (k = 0; k < 3; ++k)
-      fa[k] = -l[0] * db[k];
+    for (k = 0; k < 3; ++k) fa[k] = -l[0] * db[k];
   } else {
-    for (k = 0; k < 3; ++k)
-      fa[k] = -l[0] * (ra[k] - rb[k]) / length;
+    for (k = 0; k < 3; ++k) fa[k] = -l[0] * (ra[k] - rb[k]) / length;
   }
-  for (k = 0; k < 3; ++k)
-    fb[k] = -fa[k];
+  for (k = 0; k < 3; ++k) fb[k] = -fa[k];
   maggi_wrench_add(fa, ra, Fa);
   if (kind == MAGGI_PRIM_PLANE)
     maggi_wrench_add(fb, ra, Fb);

@@ -15,13 +15,11 @@ void maggi_cholesky_island(int n, int adr, double chol[])
   for (i = 0; i < n; ++i) {
     for (j = 0; j < i; ++j) {
       s = L[i * n + j];
-      for (k = 0; k < j; ++k)
-        s -= L[i * n + k] * L[j * n + k];
+      for (k = 0; k < j; ++k) s -= L[i * n + k] * L[j * n + k];
       L[i * n + j] = s * L[j * n + j];
     }
     s = L[i * n + i];
-    for (k = 0; k < i; ++k)
-      s -= L[i * n + k] * L[i * n + k];
+    for (k = 0; k < i; ++k) s -= L[i * n + k] * L[i * n + k];
     L[i * n + i] = 1.0 / sqrt(s);
   }
 }
@@ -32,8 +30,7 @@ static inline void load(int width, const double *from, double *x)
   int c;
 
 #pragma omp simd
-  for (c = 0; c < width; ++c)
-    x[c] = from[c];
+  for (c = 0; c < width; ++c) x[c] = from[c];
 }
 
 static inline void axpy(int width, double f, const double *x, double *y)
@@ -41,8 +38,7 @@ static inline void axpy(int width, double f, const double *x, double *y)
   int c;
 
 #pragma omp simd
-  for (c = 0; c < width; ++c)
-    y[c] += f * x[c];
+  for (c = 0; c < width; ++c) y[c] += f * x[c];
 }
 
 static inline void scale(int width, double f, double *x)
@@ -50,16 +46,14 @@ static inline void scale(int width, double f, double *x)
   int c;
 
 #pragma omp simd
-  for (c = 0; c < width; ++c)
-    x[c] *= f;
+  for (c = 0; c < width; ++c) x[c] *= f;
 }
 
 static inline void clear(int n, double *x)
 {
   int i;
 
-  for (i = 0; i < n; ++i)
-    x[i] = 0.0;
+  for (i = 0; i < n; ++i) x[i] = 0.0;
 }
 
 /* T = A^-1 T, L L^T = A, n rows */
@@ -68,13 +62,11 @@ static inline void substitute(int n, int width, const double *L, double *T)
   int i, j;
 
   for (i = 0; i < n; ++i) {
-    for (j = 0; j < i; ++j)
-      axpy(width, -L[i * n + j], T + j * width, T + i * width);
+    for (j = 0; j < i; ++j) axpy(width, -L[i * n + j], T + j * width, T + i * width);
     scale(width, L[i * n + i], T + i * width);
   }
   for (i = n - 1; i >= 0; --i) {
-    for (j = i + 1; j < n; ++j)
-      axpy(width, -L[j * n + i], T + j * width, T + i * width);
+    for (j = i + 1; j < n; ++j) axpy(width, -L[j * n + i], T + j * width, T + i * width);
     scale(width, L[i * n + i], T + i * width);
   }
 }
@@ -88,8 +80,7 @@ static inline int needs_refinement(int n, int width, const double *L)
   int i;
   double least = L[0], most = L[0];
 
-  if (width > 1)
-    return 1;
+  if (width > 1) return 1;
   for (i = 1; i < n; ++i) {
     least = L[i * n + i] < least ? L[i * n + i] : least;
     most = L[i * n + i] > most ? L[i * n + i] : most;
@@ -107,53 +98,50 @@ static inline void least_squares(int m, int n, int width, const double *phi, con
   clear(n * width, X);
   for (k = 0; k < m; ++k) {
     load(width, Y + k * stride, e);
-    for (i = 0; i < n; ++i)
-      axpy(width, phi[k * n + i], e, X + i * width);
+    for (i = 0; i < n; ++i) axpy(width, phi[k * n + i], e, X + i * width);
   }
   substitute(n, width, L, X);
-  if (!needs_refinement(n, width, L))
-    return;
+  if (!needs_refinement(n, width, L)) return;
   clear(n * width, T);
   for (k = 0; k < m; ++k) {
     load(width, Y + k * stride, e);
-    for (i = 0; i < n; ++i)
-      axpy(width, -phi[k * n + i], X + i * width, e);
-    for (i = 0; i < n; ++i)
-      axpy(width, phi[k * n + i], e, T + i * width);
+    for (i = 0; i < n; ++i) axpy(width, -phi[k * n + i], X + i * width, e);
+    for (i = 0; i < n; ++i) axpy(width, phi[k * n + i], e, T + i * width);
   }
   substitute(n, width, L, T);
-  for (i = 0; i < n; ++i)
-    axpy(width, 1.0, T + i * width, X + i * width);
+  for (i = 0; i < n; ++i) axpy(width, 1.0, T + i * width, X + i * width);
 }
 
-/* small islands with everything in registers, the others in the work space */
-#define SMALL(m, n, width)                                                                         \
-  {                                                                                                \
-    double x[n * width], t[n * width];                                                             \
-    int i;                                                                                         \
-                                                                                                   \
-    least_squares(m, n, width, phi, L, Y, stride, x, t);                                           \
-    for (i = 0; i < n; ++i)                                                                        \
-      load(width, x + i * width, X + dep[i] * stride);                                             \
-  }
+enum { SMALL = 3 };
+
+/* an island of at most SMALL dependents; m and n are constants of the caller, so that all of it stays
+ * in registers */
+static inline void solve_small(int m, int n, int width, const double *phi, const double *L,
+                               const double *Y, int stride, const int *dep, double *X)
+{
+  double x[SMALL * MAGGI_WIDTH], t[SMALL * MAGGI_WIDTH];
+  int i;
+
+  least_squares(m, n, width, phi, L, Y, stride, x, t);
+  for (i = 0; i < n; ++i) load(width, x + i * width, X + dep[i] * stride);
+}
 
 static inline void solve(int m, int n, int width, const double *phi, const double *L,
                          const double *Y, int stride, const int *dep, double *X, double *work)
 {
   int k;
 
-  if (m == 6 && n == 2)
-    SMALL(6, 2, width)
-  else if (m == 3 && n == 3)
-    SMALL(3, 3, width)
-  else if (m == 1 && n == 1)
-    SMALL(1, 1, width)
-  else if (m == 3 && n == 2)
-    SMALL(3, 2, width)
-  else {
+  if (m == 6 && n == 2) {
+    solve_small(6, 2, width, phi, L, Y, stride, dep, X);
+  } else if (m == 3 && n == 3) {
+    solve_small(3, 3, width, phi, L, Y, stride, dep, X);
+  } else if (m == 1 && n == 1) {
+    solve_small(1, 1, width, phi, L, Y, stride, dep, X);
+  } else if (m == 3 && n == 2) {
+    solve_small(3, 2, width, phi, L, Y, stride, dep, X);
+  } else {
     least_squares(m, n, width, phi, L, Y, stride, work, work + n * width);
-    for (k = 0; k < n; ++k)
-      load(width, work + k * width, X + dep[k] * stride);
+    for (k = 0; k < n; ++k) load(width, work + k * width, X + dep[k] * stride);
   }
 }
 
@@ -184,8 +172,7 @@ static inline double dot_rows(int begin, int end, const double *a, const double 
   double s = 0.0;
 
 #pragma omp simd reduction(+ : s)
-  for (k = begin; k < end; ++k)
-    s += a[k] * b[k];
+  for (k = begin; k < end; ++k) s += a[k] * b[k];
   return s;
 }
 
@@ -208,8 +195,7 @@ void maggi_factor_mass(const maggi_topo *t, const double Mr[], double Ur[], doub
     for (c = k / MAGGI_WIDTH * MAGGI_WIDTH; c < n; c += MAGGI_WIDTH)
       scale(MAGGI_WIDTH, dinv[k], u + c);
     for (i = k + 1; i < n; ++i) {
-      if (t->first[i] > k)
-        continue;
+      if (t->first[i] > k) continue;
       f = -u[i];
       for (c = i / MAGGI_WIDTH * MAGGI_WIDTH; c < n; c += MAGGI_WIDTH)
         axpy(MAGGI_WIDTH, f, u + c, Ur + i * stride + c);
@@ -225,17 +211,14 @@ void maggi_solve_mass(const maggi_topo *t, const double Mr[], const double fr[],
   int n = t->nind, stride = t->stride;
   double f;
 
+  for (i = 0; i < n; ++i) acol[i] = fr[i];
   for (i = 0; i < n; ++i)
-    acol[i] = fr[i];
-  for (i = 0; i < n; ++i)
-    for (k = n; k < t->ncol; ++k)
-      acol[i] -= Mr[i * stride + k] * acol[k];
+    for (k = n; k < t->ncol; ++k) acol[i] -= Mr[i * stride + k] * acol[k];
   for (k = 0; k < n; ++k) {
     f = acol[k] * dinv[k];
     acol[k] = f;
 #pragma omp simd
-    for (i = k + 1; i < n; ++i)
-      acol[i] -= Ur[k * stride + i] * f;
+    for (i = k + 1; i < n; ++i) acol[i] -= Ur[k * stride + i] * f;
   }
   for (k = n - 1; k >= 0; --k)
     acol[k] = (acol[k] - dot_rows(k + 1, n, Ur + k * stride, acol)) * dinv[k];

@@ -45,163 +45,168 @@ enum {
 };
 
 /* entries of elements in p, from their address */
-enum { MAGGI_SPRING_K, MAGGI_SPRING_L, MAGGI_SPRING_C, MAGGI_SPRING_SLOPES }; /* then c1..c4 v11 v22 */
+enum {
+  MAGGI_SPRING_K,
+  MAGGI_SPRING_L,
+  MAGGI_SPRING_C,
+  MAGGI_SPRING_SLOPES
+}; /* then c1..c4 v11 v22 */
 enum { MAGGI_JSPRING_K, MAGGI_JSPRING_C, MAGGI_JSPRING_REST, MAGGI_JSPRING_PRELOAD };
 
 #define MAGGI_TOPO_SIZES(X)                                                                        \
-  X(nbody, "expanded bodies without the ground")                                                  \
-  X(nq, "coordinates")                                                                            \
-  X(np, "parameters")                                                                             \
-  X(nlump, "contributions to inertia")                                                            \
-  X(nmassive, "bodies with inertia")                                                              \
-  X(npoint, "body points that the dynamics needs, then those of sensors")                         \
-  X(npointdyn, "the first of these")                                                              \
-  X(ndir, "body directions")                                                                      \
-  X(nprim, "building blocks of loop closure")                                                     \
-  X(nrow, "loop equations")                                                                       \
-  X(nloop, "loops, rods included")                                                                \
-  X(npath, "entries of the paths of all loops")                                                   \
-  X(nrod, "rods with mass")                                                                       \
-  X(nrodjac, "coordinates that move ends of rods with mass")                                      \
-  X(nrodpair, "products of these in the mass matrix")                                             \
-  X(npair, "entries of the mass matrix of the tree, upper half, and of rods")                     \
-  X(ntreepair, "of which of the tree")                                                            \
-  X(nspring, "springs between points")                                                            \
-  X(njspring, "springs on coordinates")                                                           \
-  X(nforce, "loads")                                                                              \
-  X(nfun, "functions of time")                                                                    \
-  X(nspline, "second derivatives of all splines")                                                 \
-  X(nguide, "guided coordinates")                                                                 \
-  X(nbase, "prismatic joints that carry the whole model")                                         \
+  X(nbody, "expanded bodies without the ground")                                                   \
+  X(nq, "coordinates")                                                                             \
+  X(np, "parameters")                                                                              \
+  X(nlump, "contributions to inertia")                                                             \
+  X(nmassive, "bodies with inertia")                                                               \
+  X(npoint, "body points that the dynamics needs, then those of sensors")                          \
+  X(npointdyn, "the first of these")                                                               \
+  X(ndir, "body directions")                                                                       \
+  X(nprim, "building blocks of loop closure")                                                      \
+  X(nrow, "loop equations")                                                                        \
+  X(nloop, "loops, rods included")                                                                 \
+  X(npath, "entries of the paths of all loops")                                                    \
+  X(nrod, "rods with mass")                                                                        \
+  X(nrodjac, "coordinates that move ends of rods with mass")                                       \
+  X(nrodpair, "products of these in the mass matrix")                                              \
+  X(npair, "entries of the mass matrix of the tree, upper half, and of rods")                      \
+  X(ntreepair, "of which of the tree")                                                             \
+  X(nspring, "springs between points")                                                             \
+  X(njspring, "springs on coordinates")                                                            \
+  X(nforce, "loads")                                                                               \
+  X(nfun, "functions of time")                                                                     \
+  X(nspline, "second derivatives of all splines")                                                  \
+  X(nguide, "guided coordinates")                                                                  \
+  X(nbase, "prismatic joints that carry the whole model")                                          \
   X(nsensor, "sensors")
 
 #define MAGGI_TOPO_LIST(X)                                                                         \
-  X(parent, nbody, "parent body")                                                                 \
-  X(joint, nbody, "MAGGI_ONE_..")                                                                 \
-  X(qid, nbody, "coordinate of the joint, -1 if fixed")                                           \
-  X(jdirkind, nbody, "MAGGI_DIR_.. of the axis")                                                  \
-  X(jdiradr, nbody, "its address")                                                                \
-  X(jdiraux, nbody, "its second address, or a global axis")                                       \
-  X(jpointadr, nbody, "address of the joint point")                                               \
-  X(qbody, nq, "body of a coordinate")                                                            \
-  X(qguide, nq, "function that guides the coordinate, -1 if none")                                \
-  X(lumpkind, nlump, "MAGGI_LUMP_..")                                                             \
-  X(lumpbody, nlump, "body")                                                                      \
-  X(lumpadr, nlump, "address")                                                                    \
-  X(massive, nmassive, "bodies with inertia")                                                     \
-  X(pointbody, npoint, "body, nbody for the ground")                                              \
-  X(pointadr, npoint, "address")                                                                  \
-  X(dirbody, ndir, "body")                                                                        \
-  X(dirkind, ndir, "MAGGI_DIR_..")                                                                \
-  X(diradr, ndir, "address")                                                                      \
-  X(diraux, ndir, "second address, or a global axis")                                             \
-  X(dirlean, ndir, "global axis of MAGGI_DIR_CARRIED")                                            \
-  X(primkind, nprim, "MAGGI_PRIM_..")                                                             \
-  X(primloop, nprim, "loop")                                                                      \
-  X(primpa, nprim, "point on body a")                                                             \
-  X(primpb, nprim, "point on body b")                                                             \
-  X(primda, nprim, "direction on body a")                                                         \
-  X(primdb, nprim, "direction on body b")                                                         \
-  X(primadr, nprim, "address of a given length, -1: as drawn; -2: right angle")                   \
-  X(primrow, nprim, "first loop equation")                                                        \
-  X(primba, nprim, "body a")                                                                      \
-  X(primbb, nprim, "body b")                                                                      \
-  X(pathadr, nloop1, "first entry of the path of a loop; side a from the root, then side b")      \
-  X(pathq, npath, "coordinate")                                                                   \
-  X(pathside, npath, "0: moves body a, 1: moves body b")                                          \
-  X(loopcommon, nloop, "lowest body that carries both sides")                                     \
-  X(rodadr, nrod, "address of the mass")                                                          \
-  X(rodpa, nrod, "point a")                                                                       \
-  X(rodpb, nrod, "point b")                                                                       \
-  X(rodcommon, nrod, "lowest body that carries both ends")                                        \
-  X(rodjacpoint, nrodjac, "end point")                                                            \
-  X(rodjacq, nrodjac, "coordinate that moves it")                                                 \
-  X(rodpairrod, nrodpair, "rod")                                                                  \
-  X(rodpaira, nrodpair, "entry of rodjac at one end")                                             \
-  X(rodpairb, nrodpair, "entry of rodjac at the other")                                           \
-  X(rodpairm, nrodpair, "entry of the mass matrix")                                               \
-  X(pairadr, nq1, "first pair of a coordinate: itself, then its ancestors")                       \
-  X(pairi, npair, "lower coordinate of a pair")                                                   \
-  X(pairj, npair, "its ancestor, or the other one of a rod")                                      \
-  X(springpa, nspring, "point a")                                                                 \
-  X(springpb, nspring, "point b")                                                                 \
-  X(springadr, nspring, "address")                                                                \
-  X(springpreload, nspring, "1: preload and length as drawn, 0: free length")                     \
-  X(springslopes, nspring, "1: with the four-slope damper")                                       \
-  X(jspringq, njspring, "coordinate")                                                             \
-  X(jspringq2, njspring, "second coordinate, -1 if none")                                         \
-  X(jspringadr, njspring, "address")                                                              \
-  X(forcekind, nforce, "maggi_force_type")                                                        \
-  X(forcebody, nforce, "body")                                                                    \
-  X(forcereaction, nforce, "body that takes the reaction, nbody for the ground")                  \
-  X(forcepoint, nforce, "point, -1 if none")                                                      \
-  X(forceq, nforce, "coordinate, -1 if none")                                                     \
-  X(forcefun, nforce, "function, -1: constant")                                                   \
-  X(forceadr, nforce, "address of the value")                                                     \
-  X(funkind, nfun, "maggi_function_type")                                                         \
-  X(funadr, nfun, "address: times then values, or the scalars")                                   \
-  X(funn, nfun, "number of points or coefficients")                                               \
-  X(funspline, nfun, "first second derivative of a spline")                                       \
-  X(base, nbase, "bodies of the base chain")                                                      \
-  X(sensorkind, nsensor, "maggi_sensor_type")                                                     \
-  X(sensorbody, nsensor, "body")                                                                  \
+  X(parent, nbody, "parent body")                                                                  \
+  X(joint, nbody, "MAGGI_ONE_..")                                                                  \
+  X(qid, nbody, "coordinate of the joint, -1 if fixed")                                            \
+  X(jdirkind, nbody, "MAGGI_DIR_.. of the axis")                                                   \
+  X(jdiradr, nbody, "its address")                                                                 \
+  X(jdiraux, nbody, "its second address, or a global axis")                                        \
+  X(jpointadr, nbody, "address of the joint point")                                                \
+  X(qbody, nq, "body of a coordinate")                                                             \
+  X(qguide, nq, "function that guides the coordinate, -1 if none")                                 \
+  X(lumpkind, nlump, "MAGGI_LUMP_..")                                                              \
+  X(lumpbody, nlump, "body")                                                                       \
+  X(lumpadr, nlump, "address")                                                                     \
+  X(massive, nmassive, "bodies with inertia")                                                      \
+  X(pointbody, npoint, "body, nbody for the ground")                                               \
+  X(pointadr, npoint, "address")                                                                   \
+  X(dirbody, ndir, "body")                                                                         \
+  X(dirkind, ndir, "MAGGI_DIR_..")                                                                 \
+  X(diradr, ndir, "address")                                                                       \
+  X(diraux, ndir, "second address, or a global axis")                                              \
+  X(dirlean, ndir, "global axis of MAGGI_DIR_CARRIED")                                             \
+  X(primkind, nprim, "MAGGI_PRIM_..")                                                              \
+  X(primloop, nprim, "loop")                                                                       \
+  X(primpa, nprim, "point on body a")                                                              \
+  X(primpb, nprim, "point on body b")                                                              \
+  X(primda, nprim, "direction on body a")                                                          \
+  X(primdb, nprim, "direction on body b")                                                          \
+  X(primadr, nprim, "address of a given length, -1: as drawn; -2: right angle")                    \
+  X(primrow, nprim, "first loop equation")                                                         \
+  X(primba, nprim, "body a")                                                                       \
+  X(primbb, nprim, "body b")                                                                       \
+  X(pathadr, nloop1, "first entry of the path of a loop; side a from the root, then side b")       \
+  X(pathq, npath, "coordinate")                                                                    \
+  X(pathside, npath, "0: moves body a, 1: moves body b")                                           \
+  X(loopcommon, nloop, "lowest body that carries both sides")                                      \
+  X(rodadr, nrod, "address of the mass")                                                           \
+  X(rodpa, nrod, "point a")                                                                        \
+  X(rodpb, nrod, "point b")                                                                        \
+  X(rodcommon, nrod, "lowest body that carries both ends")                                         \
+  X(rodjacpoint, nrodjac, "end point")                                                             \
+  X(rodjacq, nrodjac, "coordinate that moves it")                                                  \
+  X(rodpairrod, nrodpair, "rod")                                                                   \
+  X(rodpaira, nrodpair, "entry of rodjac at one end")                                              \
+  X(rodpairb, nrodpair, "entry of rodjac at the other")                                            \
+  X(rodpairm, nrodpair, "entry of the mass matrix")                                                \
+  X(pairadr, nq1, "first pair of a coordinate: itself, then its ancestors")                        \
+  X(pairi, npair, "lower coordinate of a pair")                                                    \
+  X(pairj, npair, "its ancestor, or the other one of a rod")                                       \
+  X(springpa, nspring, "point a")                                                                  \
+  X(springpb, nspring, "point b")                                                                  \
+  X(springadr, nspring, "address")                                                                 \
+  X(springpreload, nspring, "1: preload and length as drawn, 0: free length")                      \
+  X(springslopes, nspring, "1: with the four-slope damper")                                        \
+  X(jspringq, njspring, "coordinate")                                                              \
+  X(jspringq2, njspring, "second coordinate, -1 if none")                                          \
+  X(jspringadr, njspring, "address")                                                               \
+  X(forcekind, nforce, "maggi_force_type")                                                         \
+  X(forcebody, nforce, "body")                                                                     \
+  X(forcereaction, nforce, "body that takes the reaction, nbody for the ground")                   \
+  X(forcepoint, nforce, "point, -1 if none")                                                       \
+  X(forceq, nforce, "coordinate, -1 if none")                                                      \
+  X(forcefun, nforce, "function, -1: constant")                                                    \
+  X(forceadr, nforce, "address of the value")                                                      \
+  X(funkind, nfun, "maggi_function_type")                                                          \
+  X(funadr, nfun, "address: times then values, or the scalars")                                    \
+  X(funn, nfun, "number of points or coefficients")                                                \
+  X(funspline, nfun, "first second derivative of a spline")                                        \
+  X(base, nbase, "bodies of the base chain")                                                       \
+  X(sensorkind, nsensor, "maggi_sensor_type")                                                      \
+  X(sensorbody, nsensor, "body")                                                                   \
   X(sensorpoint, nsensor, "point")
 
 #define MAGGI_PLAN_SIZES(X)                                                                        \
-  X(nind, "independent coordinates")                                                              \
-  X(ndep, "dependent coordinates, the rank of the loop equations")                                \
-  X(ncol, "columns of R_z: independent, then guided coordinates")                                 \
-  X(stride, "length of a row of columns, a multiple of 8")                                        \
-  X(nisland, "islands of loops, in the order in which they are solved")                           \
-  X(nvrow, "rows of velocities by columns; row 0 is at rest")                                     \
-  X(nvop, "their updates")                                                                        \
-  X(nent, "entries of Phi_d")                                                                     \
-  X(nphi, "numbers in the dense blocks of Phi_d")                                                 \
-  X(nchol, "numbers in their factors")                                                            \
-  X(nii, "pairs independent-independent")                                                         \
-  X(nid, "pairs independent-dependent")                                                           \
+  X(nind, "independent coordinates")                                                               \
+  X(ndep, "dependent coordinates, the rank of the loop equations")                                 \
+  X(ncol, "columns of R_z: independent, then guided coordinates")                                  \
+  X(stride, "length of a row of columns, a multiple of 8")                                         \
+  X(nisland, "islands of loops, in the order in which they are solved")                            \
+  X(nvrow, "rows of velocities by columns; row 0 is at rest")                                      \
+  X(nvop, "their updates")                                                                         \
+  X(nent, "entries of Phi_d")                                                                      \
+  X(nphi, "numbers in the dense blocks of Phi_d")                                                  \
+  X(nchol, "numbers in their factors")                                                             \
+  X(nii, "pairs independent-independent")                                                          \
+  X(nid, "pairs independent-dependent")                                                            \
   X(ndd, "pairs dependent-dependent")
 
 #define MAGGI_PLAN_LIST(X)                                                                         \
-  X(col, nq, "column of a coordinate, -1 if dependent")                                           \
-  X(colq, nq, "coordinate of a column")                                                           \
-  X(rbeg, nq, "first nonzero column of the row of R_z of a coordinate")                           \
-  X(rend, nq, "one after the last")                                                               \
-  X(dep, nq, "dependent coordinates by island")                                                   \
-  X(isldep, nloop1, "first in dep of an island")                                                  \
-  X(islprim, nloop1, "first in primorder of an island")                                           \
-  X(islrow, nloop1, "first row of an island")                                                     \
-  X(islvop, nloop1, "first update before an island")                                              \
-  X(islent, nloop1, "first entry of an island")                                                   \
-  X(islphi, nloop1, "address of its block of Phi_d, rows by dependents")                          \
-  X(islchol, nloop1, "address of its factor")                                                     \
-  X(islbeg, nloop1, "first column of an island")                                                  \
-  X(islend, nloop1, "one after the last")                                                         \
-  X(primorder, nprim, "building blocks by island")                                                \
-  X(primy, nprim, "first row of a block in the order of islands")                                 \
-  X(primva, nprim, "velocity row of its body a without the dependents of the island")             \
-  X(primvb, nprim, "the same of body b")                                                          \
-  X(first, nq, "first nonzero row of a column of the reduced mass matrix")                        \
-  X(zbeg, nq, "first column of a row of M R_z of a dependent coordinate")                         \
-  X(zend, nq, "one after the last")                                                               \
-  X(vrowbeg, nvrow, "first column of a velocity row")                                             \
-  X(vrowend, nvrow, "one after the last")                                                         \
-  X(vopdst, nvop, "row = row vopsrc + b_i R_i, i = vopq")                                         \
-  X(vopsrc, nvop, "")                                                                             \
-  X(vopq, nvop, "")                                                                               \
-  X(entprim, nent, "building block of an entry of Phi_d")                                         \
-  X(entside, nent, "0: coordinate moves body a, 1: body b")                                       \
-  X(entq, nent, "coordinate")                                                                     \
-  X(entadr, nent, "address of its first row")                                                     \
-  X(entstep, nent, "from one row to the next")                                                    \
-  X(iipair, npair, "pair of two columns")                                                         \
-  X(idpair, npair, "pair of a dependent coordinate and a column")                                 \
-  X(iddep, npair, "the dependent coordinate")                                                     \
-  X(idcol, npair, "the column")                                                                   \
-  X(iirow, npair, "the smaller column")                                                           \
-  X(iicol, npair, "the larger one")                                                               \
-  X(ddpair, npair, "pair of two dependent coordinates")                                           \
-  X(dddst, npair, "row of M R_z that takes it")                                                   \
+  X(col, nq, "column of a coordinate, -1 if dependent")                                            \
+  X(colq, nq, "coordinate of a column")                                                            \
+  X(rbeg, nq, "first nonzero column of the row of R_z of a coordinate")                            \
+  X(rend, nq, "one after the last")                                                                \
+  X(dep, nq, "dependent coordinates by island")                                                    \
+  X(isldep, nloop1, "first in dep of an island")                                                   \
+  X(islprim, nloop1, "first in primorder of an island")                                            \
+  X(islrow, nloop1, "first row of an island")                                                      \
+  X(islvop, nloop1, "first update before an island")                                               \
+  X(islent, nloop1, "first entry of an island")                                                    \
+  X(islphi, nloop1, "address of its block of Phi_d, rows by dependents")                           \
+  X(islchol, nloop1, "address of its factor")                                                      \
+  X(islbeg, nloop1, "first column of an island")                                                   \
+  X(islend, nloop1, "one after the last")                                                          \
+  X(primorder, nprim, "building blocks by island")                                                 \
+  X(primy, nprim, "first row of a block in the order of islands")                                  \
+  X(primva, nprim, "velocity row of its body a without the dependents of the island")              \
+  X(primvb, nprim, "the same of body b")                                                           \
+  X(first, nq, "first nonzero row of a column of the reduced mass matrix")                         \
+  X(zbeg, nq, "first column of a row of M R_z of a dependent coordinate")                          \
+  X(zend, nq, "one after the last")                                                                \
+  X(vrowbeg, nvrow, "first column of a velocity row")                                              \
+  X(vrowend, nvrow, "one after the last")                                                          \
+  X(vopdst, nvop, "row = row vopsrc + b_i R_i, i = vopq")                                          \
+  X(vopsrc, nvop, "")                                                                              \
+  X(vopq, nvop, "")                                                                                \
+  X(entprim, nent, "building block of an entry of Phi_d")                                          \
+  X(entside, nent, "0: coordinate moves body a, 1: body b")                                        \
+  X(entq, nent, "coordinate")                                                                      \
+  X(entadr, nent, "address of its first row")                                                      \
+  X(entstep, nent, "from one row to the next")                                                     \
+  X(iipair, npair, "pair of two columns")                                                          \
+  X(idpair, npair, "pair of a dependent coordinate and a column")                                  \
+  X(iddep, npair, "the dependent coordinate")                                                      \
+  X(idcol, npair, "the column")                                                                    \
+  X(iirow, npair, "the smaller column")                                                            \
+  X(iicol, npair, "the larger one")                                                                \
+  X(ddpair, npair, "pair of two dependent coordinates")                                            \
+  X(dddst, npair, "row of M R_z that takes it")                                                    \
   X(ddsrc, npair, "row of R_z that it multiplies")
 
 typedef struct maggi_topo {

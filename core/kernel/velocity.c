@@ -27,8 +27,7 @@ static void copy6(const double a[6], double c[6])
 {
   int k;
 
-  for (k = 0; k < 6; ++k)
-    c[k] = a[k];
+  for (k = 0; k < 6; ++k) c[k] = a[k];
 }
 
 /* p begins with gravity */
@@ -57,8 +56,7 @@ static void axpy6(const double a[6], const double b[6], double s, double c[6])
 {
   int k;
 
-  for (k = 0; k < 6; ++k)
-    c[k] = a[k] + b[k] * s;
+  for (k = 0; k < 6; ++k) c[k] = a[k] + b[k] * s;
 }
 
 /* Za_i = Z0_i + W_i,  W_i = W_p + b_i a_i */
@@ -87,8 +85,7 @@ void maggi_point_velocities(const maggi_topo *t, int begin, int end, const doubl
 {
   int i;
 
-  for (i = begin; i < end; ++i)
-    maggi_point_rate(Z[t->pointbody[i]], r[i], rv[i]);
+  for (i = begin; i < end; ++i) maggi_point_rate(Z[t->pointbody[i]], r[i], rv[i]);
 }
 
 static void point_acceleration(const double Z[6], const double Za[6], const double r[3],

@@ -15,8 +15,7 @@ void *maggi_arena_alloc(maggi_arena *arena, size_t size)
   struct maggi_block *block;
 
   block = calloc(1, sizeof *block + size);
-  if (!block)
-    return NULL;
+  if (!block) return NULL;
   block->next = arena->blocks;
   arena->blocks = block;
   return block->bytes;
@@ -27,8 +26,7 @@ char *maggi_arena_text(maggi_arena *arena, const char *text)
   size_t n = strlen(text) + 1;
   char *copy = maggi_arena_alloc(arena, n);
 
-  if (copy)
-    memcpy(copy, text, n);
+  if (copy) memcpy(copy, text, n);
   return copy;
 }
 
@@ -41,11 +39,9 @@ char *maggi_arena_format(maggi_arena *arena, const char *format, ...)
   va_start(args, format);
   n = vsnprintf(NULL, 0, format, args);
   va_end(args);
-  if (n < 0)
-    return NULL;
+  if (n < 0) return NULL;
   text = maggi_arena_alloc(arena, (size_t)n + 1);
-  if (!text)
-    return NULL;
+  if (!text) return NULL;
   va_start(args, format);
   vsnprintf(text, (size_t)n + 1, format, args);
   va_end(args);

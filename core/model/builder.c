@@ -28,8 +28,7 @@ maggi_status maggi_builder_create(const char *name, maggi_builder **builder)
 
   *builder = NULL;
   b = calloc(1, sizeof *b);
-  if (!b)
-    return MAGGI_E_MEMORY;
+  if (!b) return MAGGI_E_MEMORY;
   b->name = maggi_arena_text(&b->arena, name ? name : "");
   b->source = maggi_arena_text(&b->arena, "");
   b->gravity[2] = -9.81;
@@ -43,8 +42,7 @@ maggi_status maggi_builder_create(const char *name, maggi_builder **builder)
 
 void maggi_builder_free(maggi_builder *builder)
 {
-  if (!builder)
-    return;
+  if (!builder) return;
 #define X(kind, section) free(builder->kind);
   MAGGI_BUILDER_LIST(X)
 #undef X
@@ -64,8 +62,7 @@ const char *maggi_builder_message(const maggi_builder *builder)
   do {                                                                                             \
     if (d->field) {                                                                                \
       d->field = maggi_arena_text(&b->arena, d->field);                                            \
-      if (!d->field)                                                                               \
-        return 0;                                                                                  \
+      if (!d->field) return 0;                                                                     \
     }                                                                                              \
   } while (0)
 
@@ -74,8 +71,7 @@ static int own_body(maggi_builder *b, maggi_body_def *d)
   int i;
 
   OWN(parent);
-  for (i = 0; i < MAGGI_JOINT_DOF_MAX; ++i)
-    OWN(motion[i]);
+  for (i = 0; i < MAGGI_JOINT_DOF_MAX; ++i) OWN(motion[i]);
   return 1;
 }
 
@@ -126,8 +122,7 @@ static int own_numbers(maggi_builder *b, const double **numbers, int n)
 {
   double *copy = maggi_arena_alloc(&b->arena, (size_t)n * sizeof *copy);
 
-  if (copy)
-    memcpy(copy, *numbers, (size_t)n * sizeof *copy);
+  if (copy) memcpy(copy, *numbers, (size_t)n * sizeof *copy);
   *numbers = copy;
   return copy != NULL;
 }
@@ -138,8 +133,7 @@ static int own_function(maggi_builder *b, maggi_function_def *d)
     d->number = 1;
   else if (d->type == MAGGI_FUNCTION_SINE || d->type == MAGGI_FUNCTION_STEP)
     d->number = 4;
-  if (d->type != MAGGI_FUNCTION_KNOTS && d->type != MAGGI_FUNCTION_SPLINE)
-    d->times = NULL;
+  if (d->type != MAGGI_FUNCTION_KNOTS && d->type != MAGGI_FUNCTION_SPLINE) d->times = NULL;
   return own_numbers(b, &d->values, d->number) &&
          (!d->times || own_numbers(b, &d->times, d->number));
 }
@@ -155,25 +149,23 @@ static void *grown(void *array, int n, int *capacity, size_t size)
   void *bigger;
   int cap;
 
-  if (n < *capacity)
-    return array;
+  if (n < *capacity) return array;
   cap = *capacity ? 2 * *capacity : 8;
   bigger = realloc(array, (size_t)cap * size);
-  if (bigger)
-    *capacity = cap;
+  if (bigger) *capacity = cap;
   return bigger;
 }
 
 /* names are unique in their section; those of point masses, in their body */
-#define SCOPE_body(d) ""
-#define SCOPE_point_mass(d) ((d)->body ? (d)->body : "")
-#define SCOPE_loop(d) ""
-#define SCOPE_rod(d) ""
-#define SCOPE_spring(d) ""
+#define SCOPE_body(d)         ""
+#define SCOPE_point_mass(d)   ((d)->body ? (d)->body : "")
+#define SCOPE_loop(d)         ""
+#define SCOPE_rod(d)          ""
+#define SCOPE_spring(d)       ""
 #define SCOPE_joint_spring(d) ""
-#define SCOPE_force(d) ""
-#define SCOPE_function(d) ""
-#define SCOPE_sensor(d) ""
+#define SCOPE_force(d)        ""
+#define SCOPE_function(d)     ""
+#define SCOPE_sensor(d)       ""
 
 #define ADD(kind, section)                                                                         \
   maggi_status maggi_builder_##kind(maggi_builder *b, const maggi_##kind##_def *def)               \
@@ -182,24 +174,20 @@ static void *grown(void *array, int n, int *capacity, size_t size)
     maggi_status status;                                                                           \
     int i;                                                                                         \
                                                                                                    \
-    status = maggi_check_name(b, #section, def->name);                                                   \
-    if (status == MAGGI_OK)                                                                        \
-      status = maggi_check_##kind(b, def);                                                               \
-    if (status != MAGGI_OK)                                                                        \
-      return status;                                                                               \
+    status = maggi_check_name(b, #section, def->name);                                             \
+    if (status == MAGGI_OK) status = maggi_check_##kind(b, def);                                   \
+    if (status != MAGGI_OK) return status;                                                         \
     for (i = 0; i < b->n##kind; ++i)                                                               \
       if (strcmp(b->kind[i].name, def->name) == 0 &&                                               \
           strcmp(SCOPE_##kind(&b->kind[i]), SCOPE_##kind(def)) == 0)                               \
-        return maggi_fail_at(b, #section, def->name, "this name is there already");                      \
+        return maggi_fail_at(b, #section, def->name, "this name is there already");                \
     list = grown(b->kind, b->n##kind, &b->cap##kind, sizeof *list);                                \
-    if (!list)                                                                                     \
-      return no_memory(b);                                                                         \
+    if (!list) return no_memory(b);                                                                \
     b->kind = list;                                                                                \
     d = &list[b->n##kind];                                                                         \
     *d = *def;                                                                                     \
     d->name = maggi_arena_text(&b->arena, def->name);                                              \
-    if (!d->name || !own_##kind(b, d))                                                             \
-      return no_memory(b);                                                                         \
+    if (!d->name || !own_##kind(b, d)) return no_memory(b);                                        \
     ++b->n##kind;                                                                                  \
     return MAGGI_OK;                                                                               \
   }
@@ -218,8 +206,7 @@ maggi_status maggi_builder_source(maggi_builder *b, const char *text)
 {
   const char *copy = maggi_arena_text(&b->arena, text);
 
-  if (!copy)
-    return no_memory(b);
+  if (!copy) return no_memory(b);
   b->source = copy;
   return MAGGI_OK;
 }

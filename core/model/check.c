@@ -11,8 +11,7 @@ int maggi_all_finite(const double *a, int n)
   int i;
 
   for (i = 0; i < n; ++i)
-    if (!isfinite(a[i]))
-      return 0;
+    if (!isfinite(a[i])) return 0;
   return 1;
 }
 
@@ -47,10 +46,8 @@ static int is_inertia(const double J[6])
   int i;
 
   /* second moments of mass P = trace/2 I - J must be positive semidefinite */
-  for (i = 0; i < 3; ++i)
-    P[i] = 0.5 * trace - J[i] + tol;
-  for (i = 3; i < 6; ++i)
-    P[i] = -J[i];
+  for (i = 0; i < 3; ++i) P[i] = 0.5 * trace - J[i] + tol;
+  for (i = 3; i < 6; ++i) P[i] = -J[i];
   e[0] = P[0] * P[1] - P[3] * P[3];
   e[1] = P[0] * P[2] - P[4] * P[4];
   e[2] = P[0] * (P[1] * P[2] - P[5] * P[5]) - P[3] * (P[3] * P[2] - P[5] * P[4]) +
@@ -68,8 +65,8 @@ maggi_status maggi_check_name(maggi_builder *b, const char *section, const char 
   if (!name || !*name)
     return maggi_builder_fail(b, MAGGI_E_MODEL, "%s: an entry has no name", section);
   if (name[strspn(name, letters)] != '\0')
-    return maggi_builder_fail(b, MAGGI_E_MODEL,
-                              "%s.%s: a name has only letters, digits, _ and -", section, name);
+    return maggi_builder_fail(b, MAGGI_E_MODEL, "%s.%s: a name has only letters, digits, _ and -",
+                              section, name);
   if (strlen(name) > 100)
     return maggi_builder_fail(b, MAGGI_E_MODEL, "%s.%.20s..: a name has at most 100 characters",
                               section, name);
@@ -79,12 +76,11 @@ maggi_status maggi_check_name(maggi_builder *b, const char *section, const char 
 /* fails with `section.name: text` when ok is false */
 #define REQUIRE(ok, section, name, ...)                                                            \
   do {                                                                                             \
-    if (!(ok))                                                                                     \
-      return maggi_fail_at(b, section, name, __VA_ARGS__);                                               \
+    if (!(ok)) return maggi_fail_at(b, section, name, __VA_ARGS__);                                \
   } while (0)
 
 maggi_status maggi_fail_at(maggi_builder *b, const char *section, const char *name,
-                            const char *format, ...)
+                           const char *format, ...)
 {
   char text[MAGGI_MESSAGE_SIZE - 160];
   va_list args;
@@ -131,7 +127,8 @@ maggi_status maggi_check_body(maggi_builder *b, const maggi_body_def *d)
     REQUIRE(isfinite(d->velocity[i]), "bodies", d->name, "initial velocity is not finite");
     REQUIRE(!d->motion[i] || (d->position_given[i] == MAGGI_INITIAL_FREE &&
                               d->velocity_given[i] == MAGGI_INITIAL_FREE),
-            "bodies", d->name, "a guided coordinate takes its position and velocity from its motion");
+            "bodies", d->name,
+            "a guided coordinate takes its position and velocity from its motion");
   }
   for (; i < MAGGI_JOINT_DOF_MAX; ++i)
     REQUIRE(!d->motion[i] && d->position_given[i] == MAGGI_INITIAL_FREE &&
@@ -153,8 +150,8 @@ maggi_status maggi_check_loop(maggi_builder *b, const maggi_loop_def *d)
 {
   REQUIRE((int)d->type >= 0 && d->type < MAGGI_LOOP_TYPE_COUNT, "loops", d->name,
           "loop type %d does not exist", (int)d->type);
-  REQUIRE(maggi_all_finite(d->point_a, 3) && (!d->has_b || maggi_all_finite(d->point_b, 3)), "loops", d->name,
-          "point is not finite");
+  REQUIRE(maggi_all_finite(d->point_a, 3) && (!d->has_b || maggi_all_finite(d->point_b, 3)),
+          "loops", d->name, "point is not finite");
   if (d->type != MAGGI_LOOP_SPHERICAL) {
     REQUIRE(maggi_all_finite(d->axis_a, 3), "loops", d->name, "axis is not finite");
     REQUIRE(!is_zero(d->axis_a), "loops", d->name, "axis is zero");
@@ -164,8 +161,7 @@ maggi_status maggi_check_loop(maggi_builder *b, const maggi_loop_def *d)
     }
   }
   if (d->type == MAGGI_LOOP_UNIVERSAL)
-    REQUIRE(!is_parallel(d->axis_a, d->axis_b), "loops", d->name,
-            "axis_a and axis_b are parallel");
+    REQUIRE(!is_parallel(d->axis_a, d->axis_b), "loops", d->name, "axis_a and axis_b are parallel");
   return MAGGI_OK;
 }
 
@@ -233,11 +229,13 @@ maggi_status maggi_check_function(maggi_builder *b, const maggi_function_def *d)
     REQUIRE(n >= 1, "functions", d->name, "a polynomial needs a coefficient");
   else
     REQUIRE(n >= 2, "functions", d->name, "at least two points are needed, not %d", n);
-  REQUIRE(d->values && maggi_all_finite(d->values, n), "functions", d->name, "a value is not finite");
+  REQUIRE(d->values && maggi_all_finite(d->values, n), "functions", d->name,
+          "a value is not finite");
   if (d->type == MAGGI_FUNCTION_STEP)
     REQUIRE(d->values[1] > d->values[0], "functions", d->name, "t1 is not after t0");
   if (d->type == MAGGI_FUNCTION_KNOTS || d->type == MAGGI_FUNCTION_SPLINE) {
-    REQUIRE(d->times && maggi_all_finite(d->times, n), "functions", d->name, "a time is not finite");
+    REQUIRE(d->times && maggi_all_finite(d->times, n), "functions", d->name,
+            "a time is not finite");
     for (i = 1; i < n; ++i)
       REQUIRE(d->times[i] > d->times[i - 1], "functions", d->name,
               "times do not increase (%g after %g)", d->times[i], d->times[i - 1]);
@@ -252,4 +250,3 @@ maggi_status maggi_check_sensor(maggi_builder *b, const maggi_sensor_def *d)
   REQUIRE(maggi_all_finite(d->point, 3), "sensors", d->name, "point is not finite");
   return MAGGI_OK;
 }
-

@@ -84,11 +84,9 @@ int maggi_compile_body(const maggi_compile *c, const char *name)
 {
   int i;
 
-  if (!name || strcmp(name, MAGGI_GROUND) == 0)
-    return -1;
+  if (!name || strcmp(name, MAGGI_GROUND) == 0) return -1;
   for (i = 0; i < c->b->nbody; ++i)
-    if (strcmp(c->b->body[i].name, name) == 0)
-      return i;
+    if (strcmp(c->b->body[i].name, name) == 0) return i;
   return -2;
 }
 
@@ -122,9 +120,8 @@ maggi_status maggi_compile_coordinate(maggi_compile *c, const char *section, con
   }
   k = maggi_compile_body(c, coordinate);
   if (k >= 0)
-    return maggi_builder_fail(c->b, MAGGI_E_MODEL,
-                              "%s.%s: %s \"%s\" has a %s joint, %s", section, name, key, coordinate,
-                              maggi_joint_type_name(c->b->body[k].joint),
+    return maggi_builder_fail(c->b, MAGGI_E_MODEL, "%s.%s: %s \"%s\" has a %s joint, %s", section,
+                              name, key, coordinate, maggi_joint_type_name(c->b->body[k].joint),
                               c->b->body[k].joint == MAGGI_JOINT_FIXED
                                   ? "without a coordinate"
                                   : "name one of its coordinates .1, .2 ..");
@@ -160,8 +157,7 @@ int maggi_compile_point(maggi_compile *c, int body, int adr)
   int i;
 
   for (i = 0; i < c->pointbody.n; ++i)
-    if (c->pointbody.v[i] == body && c->pointadr.v[i] == adr)
-      return i;
+    if (c->pointbody.v[i] == body && c->pointadr.v[i] == adr) return i;
   PUSH(pointbody, body);
   PUSH(pointadr, adr);
   return c->pointbody.n - 1;
@@ -172,8 +168,7 @@ static void sort_paths(const maggi_model *m, int *index)
 {
   int gap, i, k, x;
 
-  for (i = 0; i < m->nparameter; ++i)
-    index[i] = i;
+  for (i = 0; i < m->nparameter; ++i) index[i] = i;
   for (gap = m->nparameter / 2; gap > 0; gap /= 2) {
     for (i = gap; i < m->nparameter; ++i) {
       x = index[i];
@@ -193,28 +188,21 @@ static maggi_status compile(maggi_compile *c)
   m->name = maggi_arena_text(&m->arena, c->b->name);
   m->source = maggi_arena_text(&m->arena, c->b->source);
   m->simulation = c->b->simulation;
-  if (!m->name || !m->source)
-    return MAGGI_E_MEMORY;
+  if (!m->name || !m->source) return MAGGI_E_MEMORY;
   if (c->b->nbody == 0)
     return maggi_builder_fail(c->b, MAGGI_E_MODEL, "bodies: a model needs at least one body");
   maggi_parameter_add3(c, c->b->gravity, "m/s^2", "gravity");
 
   status = maggi_compile_tree(c);
-  if (status == MAGGI_OK)
-    status = maggi_compile_functions(c);
-  if (status == MAGGI_OK)
-    status = maggi_compile_loops(c);
-  if (status == MAGGI_OK)
-    status = maggi_compile_elements(c);
-  if (status == MAGGI_OK)
-    status = maggi_compile_sensors(c);
-  if (status != MAGGI_OK)
-    return status;
+  if (status == MAGGI_OK) status = maggi_compile_functions(c);
+  if (status == MAGGI_OK) status = maggi_compile_loops(c);
+  if (status == MAGGI_OK) status = maggi_compile_elements(c);
+  if (status == MAGGI_OK) status = maggi_compile_sensors(c);
+  if (status != MAGGI_OK) return status;
 
   c->t->np = m->nparameter;
   m->pathindex = maggi_arena_alloc(&m->arena, (size_t)m->nparameter * sizeof *m->pathindex);
-  if (!m->pathindex)
-    return MAGGI_E_MEMORY;
+  if (!m->pathindex) return MAGGI_E_MEMORY;
   sort_paths(m, m->pathindex);
   return c->no_memory ? MAGGI_E_MEMORY : MAGGI_OK;
 }
@@ -228,18 +216,15 @@ maggi_status maggi_model_create(maggi_builder *b, maggi_model **model)
   b->message[0] = '\0';
   c->b = b;
   c->m = calloc(1, sizeof *c->m);
-  if (!c->m)
-    return maggi_builder_fail(b, MAGGI_E_MEMORY, "out of memory");
+  if (!c->m) return maggi_builder_fail(b, MAGGI_E_MEMORY, "out of memory");
   c->t = &c->m->topo;
   status = compile(c);
 #define X(name, size, text) c->t->name = c->name.v;
   MAGGI_TOPO_LIST(X)
 #undef X
-  if (status == MAGGI_OK && c->no_memory)
-    status = MAGGI_E_MEMORY;
+  if (status == MAGGI_OK && c->no_memory) status = MAGGI_E_MEMORY;
   if (status != MAGGI_OK) {
-    if (status == MAGGI_E_MEMORY)
-      maggi_builder_fail(b, status, "out of memory");
+    if (status == MAGGI_E_MEMORY) maggi_builder_fail(b, status, "out of memory");
     maggi_model_free(c->m);
     return status;
   }
@@ -249,8 +234,7 @@ maggi_status maggi_model_create(maggi_builder *b, maggi_model **model)
 
 void maggi_model_free(maggi_model *model)
 {
-  if (!model)
-    return;
+  if (!model) return;
 #define X(name, size, text) free(model->topo.name);
   MAGGI_TOPO_LIST(X)
 #undef X

@@ -24,12 +24,12 @@ static int add_function(maggi_compile *c, const maggi_function_def *d)
                                 d->name);
     } else if (d->type == MAGGI_FUNCTION_SINE) {
       unit = k == 1 ? "rad/s" : k == 2 ? "rad" : "-";
-      adr = maggi_parameter_add(c, d->values[k], unit, MAGGI_BOUND_NONE, "functions.%s.%s",
-                                d->name, sine_names[k]);
+      adr = maggi_parameter_add(c, d->values[k], unit, MAGGI_BOUND_NONE, "functions.%s.%s", d->name,
+                                sine_names[k]);
     } else if (d->type == MAGGI_FUNCTION_STEP) {
       unit = k < 2 ? "s" : "-";
-      adr = maggi_parameter_add(c, d->values[k], unit, MAGGI_BOUND_NONE, "functions.%s.%s",
-                                d->name, step_names[k]);
+      adr = maggi_parameter_add(c, d->values[k], unit, MAGGI_BOUND_NONE, "functions.%s.%s", d->name,
+                                step_names[k]);
     } else if (d->type == MAGGI_FUNCTION_POLYNOMIAL) {
       adr = maggi_parameter_add(c, d->values[k], unit, MAGGI_BOUND_NONE,
                                 "functions.%s.coefficients.%d", d->name, k);
@@ -54,21 +54,16 @@ maggi_status maggi_compile_functions(maggi_compile *c)
     PUSH(funadr, add_function(c, &b->function[i]));
     PUSH(funn, b->function[i].number);
     PUSH(funspline, c->t->nspline);
-    if (b->function[i].type == MAGGI_FUNCTION_SPLINE)
-      c->t->nspline += b->function[i].number;
+    if (b->function[i].type == MAGGI_FUNCTION_SPLINE) c->t->nspline += b->function[i].number;
   }
   c->t->nfun = b->nfunction;
-  for (i = 0; i < c->t->nq; ++i)
-    PUSH(qguide, -1);
-  if (c->no_memory)
-    return MAGGI_E_MEMORY;
+  for (i = 0; i < c->t->nq; ++i) PUSH(qguide, -1);
+  if (c->no_memory) return MAGGI_E_MEMORY;
   for (i = 0; i < b->nbody; ++i) {
     for (k = 0; k < maggi_joint_dof(b->body[i].joint); ++k) {
-      if (!b->body[i].motion[k])
-        continue;
+      if (!b->body[i].motion[k]) continue;
       status = maggi_compile_function(c, "bodies", b->body[i].name, b->body[i].motion[k], &id);
-      if (status != MAGGI_OK)
-        return status;
+      if (status != MAGGI_OK) return status;
       c->qguide.v[c->m->coordinate[c->m->body[i].coordinate + k].q] = id;
       ++c->t->nguide;
     }
@@ -86,8 +81,7 @@ static maggi_status add_spring(maggi_compile *c, const maggi_spring_def *d)
   status = maggi_compile_link(c, "springs", d->name, "body_a", d->body_a, &ba);
   if (status == MAGGI_OK)
     status = maggi_compile_link(c, "springs", d->name, "body_b", d->body_b, &bb);
-  if (status != MAGGI_OK)
-    return status;
+  if (status != MAGGI_OK) return status;
   if (ba == bb)
     return maggi_builder_fail(c->b, MAGGI_E_MODEL,
                               "springs.%s: body_a and body_b are the same body", d->name);
@@ -100,8 +94,7 @@ static maggi_status add_spring(maggi_compile *c, const maggi_spring_def *d)
                         d->name);
   maggi_parameter_add(c, d->damping, "N s/m", MAGGI_BOUND_NONE, "springs.%s.damping", d->name);
   if (d->has_slopes) {
-    for (k = 0; k < 4; ++k)
-      values[k] = d->c[k];
+    for (k = 0; k < 4; ++k) values[k] = d->c[k];
     values[4] = d->v11;
     values[5] = d->v22;
     for (k = 0; k < 6; ++k)
@@ -136,10 +129,9 @@ static maggi_status add_joint_spring(maggi_compile *c, const maggi_joint_spring_
 
   status = maggi_compile_coordinate(c, "joint_springs", d->name, "coordinate", d->coordinate, &q);
   if (status == MAGGI_OK && d->coordinate2)
-    status = maggi_compile_coordinate(c, "joint_springs", d->name, "coordinate2", d->coordinate2,
-                                      &q2);
-  if (status != MAGGI_OK)
-    return status;
+    status =
+        maggi_compile_coordinate(c, "joint_springs", d->name, "coordinate2", d->coordinate2, &q2);
+  if (status != MAGGI_OK) return status;
   if (q == q2)
     return maggi_builder_fail(c->b, MAGGI_E_MODEL,
                               "joint_springs.%s: the two coordinates are the same", d->name);
@@ -163,22 +155,20 @@ static maggi_status add_force(maggi_compile *c, const maggi_force_def *d)
   int body = -1, reaction = c->t->nbody, q = -1, fun = -1, point = -1, adr;
   int is_force = d->type == MAGGI_FORCE_GLOBAL || d->type == MAGGI_FORCE_BODY;
 
-  if (d->function)
-    status = maggi_compile_function(c, "forces", d->name, d->function, &fun);
+  if (d->function) status = maggi_compile_function(c, "forces", d->name, d->function, &fun);
   if (status == MAGGI_OK && d->type == MAGGI_FORCE_JOINT)
     status = maggi_compile_coordinate(c, "forces", d->name, "coordinate", d->coordinate, &q);
   if (status == MAGGI_OK && d->type != MAGGI_FORCE_JOINT)
     status = maggi_compile_link(c, "forces", d->name, "body", d->body, &body);
   if (status == MAGGI_OK && d->type != MAGGI_FORCE_JOINT && d->reaction)
     status = maggi_compile_link(c, "forces", d->name, "reaction", d->reaction, &reaction);
-  if (status != MAGGI_OK)
-    return status;
+  if (status != MAGGI_OK) return status;
   if (body == c->t->nbody)
     return maggi_builder_fail(c->b, MAGGI_E_MODEL, "forces.%s: a load on the ground does nothing",
                               d->name);
   if (body == reaction)
-    return maggi_builder_fail(c->b, MAGGI_E_MODEL,
-                              "forces.%s: body and reaction are the same body", d->name);
+    return maggi_builder_fail(c->b, MAGGI_E_MODEL, "forces.%s: body and reaction are the same body",
+                              d->name);
   if (d->type == MAGGI_FORCE_JOINT)
     adr = maggi_parameter_add(c, d->value[0], is_angle(c, q) ? "N m" : "N", MAGGI_BOUND_NONE,
                               "forces.%s.value", d->name);
@@ -205,12 +195,10 @@ maggi_status maggi_compile_elements(maggi_compile *c)
   maggi_status status = MAGGI_OK;
   int i;
 
-  for (i = 0; i < b->nspring && status == MAGGI_OK; ++i)
-    status = add_spring(c, &b->spring[i]);
+  for (i = 0; i < b->nspring && status == MAGGI_OK; ++i) status = add_spring(c, &b->spring[i]);
   for (i = 0; i < b->njoint_spring && status == MAGGI_OK; ++i)
     status = add_joint_spring(c, &b->joint_spring[i]);
-  for (i = 0; i < b->nforce && status == MAGGI_OK; ++i)
-    status = add_force(c, &b->force[i]);
+  for (i = 0; i < b->nforce && status == MAGGI_OK; ++i) status = add_force(c, &b->force[i]);
   t->nspring = b->nspring;
   t->njspring = b->njoint_spring;
   t->nforce = b->nforce;
@@ -230,14 +218,12 @@ maggi_status maggi_compile_sensors(maggi_compile *c)
 
   m->sensorcolumn = maggi_arena_alloc(&m->arena, n * sizeof *m->sensorcolumn);
   m->sensorunit = maggi_arena_alloc(&m->arena, n * sizeof *m->sensorunit);
-  if (!m->sensorcolumn || !m->sensorunit)
-    return MAGGI_E_MEMORY;
+  if (!m->sensorcolumn || !m->sensorunit) return MAGGI_E_MEMORY;
   for (i = 0; i < b->nsensor; ++i) {
     const maggi_sensor_def *d = &b->sensor[i];
 
     status = maggi_compile_link(c, "sensors", d->name, "body", d->body, &body);
-    if (status != MAGGI_OK)
-      return status;
+    if (status != MAGGI_OK) return status;
     point = -1;
     if (d->type != MAGGI_SENSOR_ANGLES) {
       adr = maggi_parameter_add3(c, d->point, "m", "sensors.%s.point", d->name);
@@ -252,8 +238,7 @@ maggi_status maggi_compile_sensors(maggi_compile *c)
       m->sensorcolumn[3 * i + k] = maggi_arena_format(
           &m->arena, "%s.%s", d->name, d->type == MAGGI_SENSOR_ANGLES ? angle[k] : axis[k]);
       m->sensorunit[3 * i + k] = unit[d->type];
-      if (!m->sensorcolumn[3 * i + k])
-        return MAGGI_E_MEMORY;
+      if (!m->sensorcolumn[3 * i + k]) return MAGGI_E_MEMORY;
     }
   }
   c->t->nsensor = b->nsensor;

@@ -36,28 +36,23 @@ static void push_loop(maggi_compile *c, const maggi_loop_def *d, int ba, int bb)
 {
   int pa, pb, pta, ptb, aa = -1, ab = -1, da = 0, db = 0, va, vb, wb, k;
 
-  pa = pb = maggi_parameter_add3(c, d->point_a, "m", d->has_b ? "loops.%s.point_a" : "loops.%s.point",
-                                 d->name);
-  if (d->has_b)
-    pb = maggi_parameter_add3(c, d->point_b, "m", "loops.%s.point_b", d->name);
+  pa = pb = maggi_parameter_add3(c, d->point_a, "m",
+                                 d->has_b ? "loops.%s.point_a" : "loops.%s.point", d->name);
+  if (d->has_b) pb = maggi_parameter_add3(c, d->point_b, "m", "loops.%s.point_b", d->name);
   if (d->type != MAGGI_LOOP_SPHERICAL) {
     k = d->has_b || d->type == MAGGI_LOOP_UNIVERSAL;
-    aa = ab = maggi_parameter_add3(c, d->axis_a, "-", k ? "loops.%s.axis_a" : "loops.%s.axis",
-                                   d->name);
-    if (k)
-      ab = maggi_parameter_add3(c, d->axis_b, "-", "loops.%s.axis_b", d->name);
+    aa = ab =
+        maggi_parameter_add3(c, d->axis_a, "-", k ? "loops.%s.axis_a" : "loops.%s.axis", d->name);
+    if (k) ab = maggi_parameter_add3(c, d->axis_b, "-", "loops.%s.axis_b", d->name);
     da = push_direction(c, ba, MAGGI_DIR_PARAMETER, aa, -1, 0);
     db = push_direction(c, bb, MAGGI_DIR_PARAMETER, ab, -1, 0);
   }
   pta = maggi_compile_point(c, ba, pa);
   ptb = maggi_compile_point(c, bb, pb);
 
-  if (d->type <= MAGGI_LOOP_UNIVERSAL)
-    push_prim(c, MAGGI_PRIM_POINT, ba, bb, pta, ptb, 0, 0, -1);
-  if (d->type == MAGGI_LOOP_REVOLUTE)
-    push_prim(c, MAGGI_PRIM_AXIS, ba, bb, pta, ptb, da, db, -1);
-  if (d->type == MAGGI_LOOP_UNIVERSAL)
-    push_prim(c, MAGGI_PRIM_ANGLE, ba, bb, pta, ptb, da, db, -1);
+  if (d->type <= MAGGI_LOOP_UNIVERSAL) push_prim(c, MAGGI_PRIM_POINT, ba, bb, pta, ptb, 0, 0, -1);
+  if (d->type == MAGGI_LOOP_REVOLUTE) push_prim(c, MAGGI_PRIM_AXIS, ba, bb, pta, ptb, da, db, -1);
+  if (d->type == MAGGI_LOOP_UNIVERSAL) push_prim(c, MAGGI_PRIM_ANGLE, ba, bb, pta, ptb, da, db, -1);
   if (d->type >= MAGGI_LOOP_CYLINDRICAL) {
     k = maggi_least_axis(d->has_b ? d->axis_b : d->axis_a);
     vb = push_direction(c, bb, MAGGI_DIR_ACROSS_GLOBAL, ab, k, 0);
@@ -75,15 +70,13 @@ static void push_loop(maggi_compile *c, const maggi_loop_def *d, int ba, int bb)
 
 static int is_ancestor(const maggi_compile *c, int up, int body)
 {
-  while (body < up)
-    body = c->parent.v[body];
+  while (body < up) body = c->parent.v[body];
   return body == up;
 }
 
 static int common_body(const maggi_compile *c, int a, int b)
 {
-  while (!is_ancestor(c, a, b))
-    a = c->parent.v[a];
+  while (!is_ancestor(c, a, b)) a = c->parent.v[a];
   return a;
 }
 
@@ -98,8 +91,7 @@ static void push_side(maggi_compile *c, int top, int body, int side)
       PUSH(pathside, side);
     }
   }
-  if (c->no_memory)
-    return;
+  if (c->no_memory) return;
   for (i = begin, k = c->pathq.n - 1; i < k; ++i, --k) {
     q = c->pathq.v[i];
     c->pathq.v[i] = c->pathq.v[k];
@@ -123,8 +115,7 @@ static maggi_status link_ends(maggi_compile *c, const char *section, const char 
   maggi_status status;
 
   status = maggi_compile_link(c, section, name, "body_a", body_a, ba);
-  if (status == MAGGI_OK)
-    status = maggi_compile_link(c, section, name, "body_b", body_b, bb);
+  if (status == MAGGI_OK) status = maggi_compile_link(c, section, name, "body_b", body_b, bb);
   if (status == MAGGI_OK && *ba == *bb)
     status = maggi_builder_fail(c->b, MAGGI_E_MODEL, "%s.%s: body_a and body_b are the same body",
                                 section, name);
@@ -138,8 +129,7 @@ static maggi_status add_loop(maggi_compile *c, const maggi_loop_def *d)
   int ba, bb;
 
   status = link_ends(c, "loops", d->name, d->body_a, d->body_b, &ba, &bb);
-  if (status != MAGGI_OK)
-    return status;
+  if (status != MAGGI_OK) return status;
   loop->name = maggi_arena_text(&c->m->arena, d->name);
   loop->kind = maggi_loop_type_name(d->type);
   loop->row = c->t->nrow;
@@ -157,8 +147,7 @@ static maggi_status add_rod(maggi_compile *c, const maggi_rod_def *d)
   int ba, bb, adr, adra, adrb, length = -1, pa, pb, k;
 
   status = link_ends(c, "rods", d->name, d->body_a, d->body_b, &ba, &bb);
-  if (status != MAGGI_OK)
-    return status;
+  if (status != MAGGI_OK) return status;
   loop->name = maggi_arena_text(&c->m->arena, d->name);
   loop->kind = "rod";
   loop->row = c->t->nrow;
@@ -167,15 +156,14 @@ static maggi_status add_rod(maggi_compile *c, const maggi_rod_def *d)
   adra = maggi_parameter_add3(c, d->point_a, "m", "rods.%s.point_a", d->name);
   adrb = maggi_parameter_add3(c, d->point_b, "m", "rods.%s.point_b", d->name);
   if (!isnan(d->length))
-    length = maggi_parameter_add(c, d->length, "m", MAGGI_BOUND_POSITIVE, "rods.%s.length",
-                                 d->name);
+    length =
+        maggi_parameter_add(c, d->length, "m", MAGGI_BOUND_POSITIVE, "rods.%s.length", d->name);
   pa = maggi_compile_point(c, ba, adra);
   pb = maggi_compile_point(c, bb, adrb);
   push_prim(c, MAGGI_PRIM_ROD, ba, bb, pa, pb, 0, 0, length);
   push_path(c, ba, bb);
   for (k = 0; k < 2; ++k) {
-    if ((k ? bb : ba) == c->t->nbody)
-      continue;
+    if ((k ? bb : ba) == c->t->nbody) continue;
     PUSH(lumpkind, k ? MAGGI_LUMP_ROD_B : MAGGI_LUMP_ROD_A);
     PUSH(lumpbody, k ? bb : ba);
     PUSH(lumpadr, adr);
@@ -212,11 +200,9 @@ static int find_pair(maggi_compile *c, int i, int j)
   int k, low = i < j ? i : j, high = i < j ? j : i;
 
   for (k = c->pairadr.v[low]; k < c->pairadr.v[low + 1]; ++k)
-    if (c->pairj.v[k] == high)
-      return k;
+    if (c->pairj.v[k] == high) return k;
   for (k = c->t->ntreepair; k < c->pairi.n; ++k)
-    if (c->pairi.v[k] == low && c->pairj.v[k] == high)
-      return k;
+    if (c->pairi.v[k] == low && c->pairj.v[k] == high) return k;
   PUSH(pairi, low);
   PUSH(pairj, high);
   return c->pairi.n - 1;
@@ -230,13 +216,11 @@ static void push_rod_end(maggi_compile *c, int point, int common, int *own, int 
   *own = 0;
   *all = 0;
   for (body = c->pointbody.v[point]; body != c->t->nbody; body = c->parent.v[body]) {
-    if (c->qid.v[body] < 0)
-      continue;
+    if (c->qid.v[body] < 0) continue;
     PUSH(rodjacpoint, point);
     PUSH(rodjacq, c->qid.v[body]);
     ++*all;
-    if (body < common)
-      ++*own;
+    if (body < common) ++*own;
   }
 }
 
@@ -250,12 +234,10 @@ static void push_rod_pairs(maggi_compile *c, int rod)
   push_rod_end(c, c->rodpa.v[rod], c->rodcommon.v[rod], &owna, &alla);
   eb = c->rodjacq.n;
   push_rod_end(c, c->rodpb.v[rod], c->rodcommon.v[rod], &ownb, &allb);
-  if (c->no_memory)
-    return;
+  if (c->no_memory) return;
   for (i = 0; i < alla; ++i) {
     for (j = 0; j < allb; ++j) {
-      if (i >= owna && j >= ownb)
-        continue;
+      if (i >= owna && j >= ownb) continue;
       PUSH(rodpairrod, rod);
       PUSH(rodpaira, ea + i);
       PUSH(rodpairb, eb + j);
@@ -274,22 +256,15 @@ maggi_status maggi_compile_loops(maggi_compile *c)
 
   m->loop = maggi_arena_alloc(&m->arena, (size_t)(b->nloop + b->nrod + 1) * sizeof *m->loop);
   m->reach = maggi_arena_alloc(&m->arena, ((size_t)t->nq + 1) * sizeof(int));
-  if (!m->loop || !m->reach)
-    return MAGGI_E_MEMORY;
+  if (!m->loop || !m->reach) return MAGGI_E_MEMORY;
   PUSH(pathadr, 0);
-  for (i = 0; i < b->nloop && status == MAGGI_OK; ++i)
-    status = add_loop(c, &b->loop[i]);
-  for (i = 0; i < b->nrod && status == MAGGI_OK; ++i)
-    status = add_rod(c, &b->rod[i]);
-  if (status != MAGGI_OK)
-    return status;
+  for (i = 0; i < b->nloop && status == MAGGI_OK; ++i) status = add_loop(c, &b->loop[i]);
+  for (i = 0; i < b->nrod && status == MAGGI_OK; ++i) status = add_rod(c, &b->rod[i]);
+  if (status != MAGGI_OK) return status;
   push_tree_pairs(c);
-  if (c->no_memory)
-    return MAGGI_E_MEMORY;
-  for (i = 0; i < c->rodadr.n; ++i)
-    push_rod_pairs(c, i);
-  for (k = 0; k < c->pathq.n; ++k)
-    ++m->reach[c->pathq.v[k]];
+  if (c->no_memory) return MAGGI_E_MEMORY;
+  for (i = 0; i < c->rodadr.n; ++i) push_rod_pairs(c, i);
+  for (k = 0; k < c->pathq.n; ++k) ++m->reach[c->pathq.v[k]];
   t->nlump = c->lumpkind.n;
   t->ndir = c->dirbody.n;
   t->nprim = c->primkind.n;

@@ -59,8 +59,8 @@ static void add_parameters(maggi_compile *c, const maggi_body_def *d, addresses 
   const char *unit;
   char dot[16];
 
-  adr->inertia = maggi_parameter_add(c, d->mass, "kg", MAGGI_BOUND_NOT_NEGATIVE, "bodies.%s.mass",
-                                     d->name);
+  adr->inertia =
+      maggi_parameter_add(c, d->mass, "kg", MAGGI_BOUND_NOT_NEGATIVE, "bodies.%s.mass", d->name);
   if (d->is_bar) {
     maggi_parameter_add3(c, d->bar_from, "m", "bodies.%s.bar.from", d->name);
     maggi_parameter_add3(c, d->bar_to, "m", "bodies.%s.bar.to", d->name);
@@ -79,11 +79,9 @@ static void add_parameters(maggi_compile *c, const maggi_body_def *d, addresses 
     adr->axis2 = maggi_parameter_add3(c, d->axis2, "-", "bodies.%s.joint.axis2", d->name);
   for (k = 0; k < dof; ++k) {
     adr->position[k] = adr->velocity[k] = -1;
-    if (d->motion[k])
-      continue;
+    if (d->motion[k]) continue;
     dot[0] = '\0';
-    if (dof > 1)
-      snprintf(dot, sizeof dot, ".%d", k + 1);
+    if (dof > 1) snprintf(dot, sizeof dot, ".%d", k + 1);
     unit = chain[d->joint][k].kind == MAGGI_ONE_REVOLUTE ? "rad" : "m";
     adr->position[k] = maggi_parameter_add(c, d->position[k], unit, MAGGI_BOUND_INITIAL_POSITION,
                                            "bodies.%s.joint.position%s", d->name, dot);
@@ -109,15 +107,14 @@ static maggi_status resolve_parents(maggi_compile *c, int *parent, int *order, i
     steps = 0;
     for (k = i; k >= 0; k = parent[k])
       if (++steps > b->nbody)
-        return maggi_builder_fail(b, MAGGI_E_MODEL,
-                                  "bodies.%s: its parents lead back to itself and not to the ground",
-                                  b->body[i].name);
+        return maggi_builder_fail(
+            b, MAGGI_E_MODEL, "bodies.%s: its parents lead back to itself and not to the ground",
+            b->body[i].name);
     depth[i] = steps;
   }
   for (k = 1; n < b->nbody; ++k)
     for (i = 0; i < b->nbody; ++i)
-      if (depth[i] == k)
-        order[n++] = i;
+      if (depth[i] == k) order[n++] = i;
   return MAGGI_OK;
 }
 
@@ -128,13 +125,11 @@ static void number_bodies(maggi_compile *c, const int *parent, const int *order,
   maggi_builder *b = c->b;
   int i, k, n, next;
 
-  for (i = 0; i < b->nbody; ++i)
-    size[i] = 0;
+  for (i = 0; i < b->nbody; ++i) size[i] = 0;
   for (k = b->nbody - 1; k >= 0; --k) {
     i = order[k];
     size[i] += links(b->body[i].joint);
-    if (parent[i] >= 0)
-      size[parent[i]] += size[i];
+    if (parent[i] >= 0) size[parent[i]] += size[i];
   }
   /* top[i]: one after the highest number of the subtree; then the children share what is below */
   next = 0;
@@ -185,14 +180,12 @@ static void push_bodies(maggi_compile *c, const int *parent, const addresses *ad
   int i, k, n, up, nq = 0;
 
   for (i = 0; i < b->nbody; ++i)
-    for (k = 0; k < links(b->body[i].joint); ++k)
-      owner[m->body[i].body + k] = i;
+    for (k = 0; k < links(b->body[i].joint); ++k) owner[m->body[i].body + k] = i;
   for (i = 0; i < c->t->nbody; ++i) {
     n = links(b->body[owner[i]].joint);
     k = n - 1 - (i - m->body[owner[i]].body);
     up = i + 1;
-    if (k == 0)
-      up = parent[owner[i]] < 0 ? c->t->nbody : m->body[parent[owner[i]]].body;
+    if (k == 0) up = parent[owner[i]] < 0 ? c->t->nbody : m->body[parent[owner[i]]].body;
     PUSH(parent, up);
     push_joint(c, &b->body[owner[i]], &adr[owner[i]], k);
     if (b->body[owner[i]].joint == MAGGI_JOINT_FIXED) {
@@ -228,8 +221,7 @@ static maggi_status push_point_masses(maggi_compile *c)
     const maggi_point_mass_def *d = &b->point_mass[i];
 
     status = maggi_compile_link(c, "point_masses", d->name, "body", d->body, &id);
-    if (status != MAGGI_OK)
-      return status;
+    if (status != MAGGI_OK) return status;
     if (id == c->t->nbody)
       return maggi_builder_fail(b, MAGGI_E_MODEL, "point_masses.%s: the ground takes no mass",
                                 d->name);
@@ -266,9 +258,9 @@ static maggi_status name_coordinates(maggi_compile *c, const addresses *adr)
     m->body[i].coordinate = n;
     for (k = 0; k < dof; ++k) {
       q = c->qid.v[m->body[i].body + dof - 1 - k];
-      m->coordinate[n].name = dof > 1 ? maggi_arena_format(&m->arena, "%s.%d", b->body[i].name,
-                                                           k + 1)
-                                      : m->body[i].name;
+      m->coordinate[n].name = dof > 1
+                                  ? maggi_arena_format(&m->arena, "%s.%d", b->body[i].name, k + 1)
+                                  : m->body[i].name;
       m->coordinate[n].q = q;
       m->coordinate[n].is_angle = chain[b->body[i].joint][k].kind == MAGGI_ONE_REVOLUTE;
       m->coordinate[n].guided = b->body[i].motion[k] != NULL;
@@ -276,8 +268,7 @@ static maggi_status name_coordinates(maggi_compile *c, const addresses *adr)
       m->initial_velocity[q] = adr[i].velocity[k];
       m->position_given[q] = b->body[i].position_given[k];
       m->velocity_given[q] = b->body[i].velocity_given[k];
-      if (!m->coordinate[n].name)
-        return MAGGI_E_MEMORY;
+      if (!m->coordinate[n].name) return MAGGI_E_MEMORY;
       if (adr[i].position[k] >= 0 && !c->no_memory) {
         m->parameter[adr[i].position[k]].coordinate = q;
         m->parameter[adr[i].velocity[k]].coordinate = q;
@@ -303,8 +294,7 @@ static void push_base(maggi_compile *c)
         next = i;
       }
     }
-    if (children != 1 || c->joint.v[next] != MAGGI_ONE_PRISMATIC)
-      return;
+    if (children != 1 || c->joint.v[next] != MAGGI_ONE_PRISMATIC) return;
     PUSH(base, next);
     at = next;
   }
@@ -327,30 +317,24 @@ maggi_status maggi_compile_tree(maggi_compile *c)
   top = maggi_arena_alloc(&m->arena, n * sizeof(int));
   owner = maggi_arena_alloc(&m->arena, n * MAGGI_JOINT_DOF_MAX * sizeof(int));
   adr = maggi_arena_alloc(&m->arena, n * sizeof *adr);
-  if (!m->body || !parent || !order || !work || !top || !owner || !adr)
-    return MAGGI_E_MEMORY;
+  if (!m->body || !parent || !order || !work || !top || !owner || !adr) return MAGGI_E_MEMORY;
 
   status = resolve_parents(c, parent, order, work);
-  if (status != MAGGI_OK)
-    return status;
+  if (status != MAGGI_OK) return status;
   for (i = 0; i < b->nbody; ++i) {
     m->body[i].name = maggi_arena_text(&m->arena, b->body[i].name);
     m->body[i].parent = parent[i];
     m->body[i].joint = b->body[i].joint;
-    if (!m->body[i].name)
-      return MAGGI_E_MEMORY;
+    if (!m->body[i].name) return MAGGI_E_MEMORY;
     add_parameters(c, &b->body[i], &adr[i]);
   }
   number_bodies(c, parent, order, work, top);
   push_bodies(c, parent, adr, owner);
   push_lumps(c, adr);
-  if (c->no_memory)
-    return MAGGI_E_MEMORY;
+  if (c->no_memory) return MAGGI_E_MEMORY;
   status = push_point_masses(c);
-  if (status == MAGGI_OK)
-    status = name_coordinates(c, adr);
-  if (status != MAGGI_OK)
-    return status;
+  if (status == MAGGI_OK) status = name_coordinates(c, adr);
+  if (status != MAGGI_OK) return status;
   push_base(c);
   m->originadr = adr[order[0]].point;
   c->t->nmassive = c->massive.n;

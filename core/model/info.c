@@ -31,8 +31,7 @@ const char *maggi_body_name(const maggi_model *m, int body)
 
 const char *maggi_body_parent(const maggi_model *m, int body)
 {
-  if (!in(body, m->nbody))
-    return NULL;
+  if (!in(body, m->nbody)) return NULL;
   return m->body[body].parent < 0 ? MAGGI_GROUND : m->body[m->body[body].parent].name;
 }
 
@@ -86,8 +85,7 @@ int maggi_body_find(const maggi_model *m, const char *name)
   int i;
 
   for (i = 0; i < m->nbody; ++i)
-    if (strcmp(m->body[i].name, name) == 0)
-      return i;
+    if (strcmp(m->body[i].name, name) == 0) return i;
   return -1;
 }
 
@@ -96,8 +94,7 @@ int maggi_coordinate_find(const maggi_model *m, const char *name)
   int i;
 
   for (i = 0; i < m->ncoordinate; ++i)
-    if (strcmp(m->coordinate[i].name, name) == 0)
-      return i;
+    if (strcmp(m->coordinate[i].name, name) == 0) return i;
   return -1;
 }
 
@@ -123,8 +120,7 @@ int maggi_parameter_find(const maggi_model *m, const char *path)
   while (low < high) {
     mid = low + (high - low) / 2;
     order = strcmp(m->parameter[m->pathindex[mid]].path, path);
-    if (order == 0)
-      return m->pathindex[mid];
+    if (order == 0) return m->pathindex[mid];
     if (order < 0)
       low = mid + 1;
     else

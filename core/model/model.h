@@ -60,15 +60,14 @@ struct maggi_model {
   maggi_model_coordinate *coordinate;
   int nloop;
   maggi_model_loop *loop;
-  int originadr;           /* joint point of the first body on the ground */
-  int *initial_position;   /* (nq) address in p, -1 for guided coordinates */
-  int *initial_velocity;   /* (nq) */
-  int *position_given;     /* (nq) maggi_initial */
-  int *velocity_given;     /* (nq) */
-  int *reach;              /* (nq) number of loops whose path holds the coordinate */
+  int originadr;         /* joint point of the first body on the ground */
+  int *initial_position; /* (nq) address in p, -1 for guided coordinates */
+  int *initial_velocity; /* (nq) */
+  int *position_given;   /* (nq) maggi_initial */
+  int *velocity_given;   /* (nq) */
+  int *reach;            /* (nq) number of loops whose path holds the coordinate */
   const char **sensorcolumn;
   const char **sensorunit;
 };
-
 
 #endif

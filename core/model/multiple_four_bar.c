@@ -47,8 +47,7 @@ static maggi_status add_row(maggi_builder *b, int ny, int row)
     snprintf(above, sizeof above, "v_%d_%d", row, col);
     snprintf(foot, sizeof foot, "v_%d_%d", row, col + 1);
     status = add_bar(b, name, above, col - 1, -row, 1.0, 0.0, 0, 0.0);
-    if (status != MAGGI_OK)
-      break;
+    if (status != MAGGI_OK) break;
     maggi_loop_def_init(&cut);
     cut.name = name;
     cut.type = MAGGI_LOOP_REVOLUTE;
@@ -70,19 +69,15 @@ maggi_status maggi_model_multiple_four_bar(int ny, int nz, maggi_model **model)
   int row;
 
   *model = NULL;
-  if (ny < 1 || nz < 1 || ny > 10000 || nz > 10000)
-    return MAGGI_E_VALUE;
+  if (ny < 1 || nz < 1 || ny > 10000 || nz > 10000) return MAGGI_E_VALUE;
   snprintf(name, sizeof name, "multiple-four-bar:%dx%d", ny, nz);
   status = maggi_builder_create(name, &b);
-  if (status != MAGGI_OK)
-    return status;
-  status = maggi_builder_source(b, "Multiple four-bar mechanism of Callejo's thesis (2013), 4.6.2.");
-  if (status == MAGGI_OK)
-    status = maggi_builder_simulation(b, &simulation);
-  for (row = 1; row <= nz && status == MAGGI_OK; ++row)
-    status = add_row(b, ny, row);
-  if (status == MAGGI_OK)
-    status = maggi_model_create(b, model);
+  if (status != MAGGI_OK) return status;
+  status =
+      maggi_builder_source(b, "Multiple four-bar mechanism of Callejo's thesis (2013), 4.6.2.");
+  if (status == MAGGI_OK) status = maggi_builder_simulation(b, &simulation);
+  for (row = 1; row <= nz && status == MAGGI_OK; ++row) status = add_row(b, ny, row);
+  if (status == MAGGI_OK) status = maggi_model_create(b, model);
   maggi_builder_free(b);
   return status;
 }

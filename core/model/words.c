@@ -18,8 +18,7 @@ static int find(const char *const words[], int n, const char *word)
   int i;
 
   for (i = 0; word && i < n; ++i)
-    if (strcmp(words[i], word) == 0)
-      return i;
+    if (strcmp(words[i], word) == 0) return i;
   return -1;
 }
 
@@ -48,7 +47,7 @@ const char *maggi_status_text(maggi_status status)
 {
   static const char *const texts[] = {
 #define X(name, text) text,
-    MAGGI_STATUS_LIST(X)
+      MAGGI_STATUS_LIST(X)
 #undef X
   };
 

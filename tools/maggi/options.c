@@ -39,7 +39,8 @@ static int read_option(options *o, const char *word, char *value)
   const option_def *def;
   int i, left, looks_like_value;
 
-  for (i = 0; o->defs[i].name && strcmp(o->defs[i].name, word) != 0; ++i);
+  for (i = 0; o->defs[i].name && strcmp(o->defs[i].name, word) != 0; ++i)
+    ;
   def = &o->defs[i];
   if (!def->name) return unknown_option(o, word);
 

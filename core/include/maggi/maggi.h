@@ -29,17 +29,17 @@ extern "C" {
 
 /* ---------------------------------------------------------------------------------- status */
 
-#define MAGGI_STATUS_LIST(X)                                                                      \
-  X(MAGGI_OK, "success")                                                                          \
-  X(MAGGI_E_MEMORY, "out of memory")                                                              \
-  X(MAGGI_E_FILE, "a file cannot be read or written")                                             \
-  X(MAGGI_E_MODEL, "the model is wrong")                                                          \
-  X(MAGGI_E_NAME, "no such name")                                                                 \
-  X(MAGGI_E_VALUE, "a value is out of range")                                                     \
-  X(MAGGI_E_ASSEMBLY, "the loops cannot be closed in the initial position")                       \
-  X(MAGGI_E_LOCKUP, "the mechanism locks up")                                                     \
-  X(MAGGI_E_MASS, "the mass matrix is singular")                                                  \
-  X(MAGGI_E_NOT_FINITE, "the solution is not finite")                                             \
+#define MAGGI_STATUS_LIST(X)                                                                       \
+  X(MAGGI_OK, "success")                                                                           \
+  X(MAGGI_E_MEMORY, "out of memory")                                                               \
+  X(MAGGI_E_FILE, "a file cannot be read or written")                                              \
+  X(MAGGI_E_MODEL, "the model is wrong")                                                           \
+  X(MAGGI_E_NAME, "no such name")                                                                  \
+  X(MAGGI_E_VALUE, "a value is out of range")                                                      \
+  X(MAGGI_E_ASSEMBLY, "the loops cannot be closed in the initial position")                        \
+  X(MAGGI_E_LOCKUP, "the mechanism locks up")                                                      \
+  X(MAGGI_E_MASS, "the mass matrix is singular")                                                   \
+  X(MAGGI_E_NOT_FINITE, "the solution is not finite")                                              \
   X(MAGGI_E_STOPPED, "stopped by the caller")
 
 typedef enum maggi_status {
@@ -58,7 +58,7 @@ typedef struct maggi_builder maggi_builder;
 typedef struct maggi_model maggi_model;
 typedef struct maggi_data maggi_data;
 
-#define MAGGI_GROUND "ground" /* the name of the fixed body */
+#define MAGGI_GROUND        "ground" /* the name of the fixed body */
 #define MAGGI_JOINT_DOF_MAX 6
 
 /* Joints of the tree.  Compound joints are chains of revolutes (R) and prismatics (P) with massless
@@ -369,7 +369,8 @@ int maggi_sensor_type_find(const char *name);
 maggi_status maggi_builder_create(const char *name, maggi_builder **builder);
 void maggi_builder_free(maggi_builder *builder);
 const char *maggi_builder_message(const maggi_builder *builder);
-maggi_status maggi_builder_gravity(maggi_builder *b, const double gravity[3]); /* default 0,0,-9.81 */
+maggi_status maggi_builder_gravity(maggi_builder *b,
+                                   const double gravity[3]); /* default 0,0,-9.81 */
 maggi_status maggi_builder_source(maggi_builder *b, const char *text);
 maggi_status maggi_builder_simulation(maggi_builder *b, const maggi_simulation_def *def);
 maggi_status maggi_builder_body(maggi_builder *b, const maggi_body_def *def);
@@ -403,7 +404,8 @@ void maggi_model_free(maggi_model *model);
  * status          MAGGI_OK, MAGGI_E_MEMORY, MAGGI_E_FILE, MAGGI_E_MODEL
  * since           0.1; only in builds with MAGGI_WITH_YAML
  */
-maggi_status maggi_model_load(const char *path, maggi_model **model, char *message, size_t nmessage);
+maggi_status maggi_model_load(const char *path, maggi_model **model, char *message,
+                              size_t nmessage);
 
 /* The multiple four-bar mechanism of [1] 4.6.2, ny four-bars side by side in each of nz rows, with
  * z_1'(0) = pi/3 rad/s on the first vertical bar.  (2*ny + 1)*nz bars of 1 m and 1 kg in the yz
