@@ -4,6 +4,13 @@
 
 #include "kernel.h"
 
+/* sizes must be constants where these are used */
+#if defined(__GNUC__)
+#define ALWAYS_INLINE static inline __attribute__((always_inline))
+#else
+#define ALWAYS_INLINE static inline
+#endif
+
 /* lower factor of the n x n matrix at chol[adr], in place, with the inverse pivots on its diagonal; a
  * lost pivot leaves what is not finite */
 void maggi_cholesky_island(int n, int adr, double chol[])
@@ -25,7 +32,7 @@ void maggi_cholesky_island(int n, int adr, double chol[])
 }
 
 /* rows of `width` numbers: a block of columns, or one */
-static inline void load(int width, const double *from, double *x)
+ALWAYS_INLINE void load(int width, const double *from, double *x)
 {
   int c;
 
@@ -33,7 +40,7 @@ static inline void load(int width, const double *from, double *x)
   for (c = 0; c < width; ++c) x[c] = from[c];
 }
 
-static inline void axpy(int width, double f, const double *x, double *y)
+ALWAYS_INLINE void axpy(int width, double f, const double *x, double *y)
 {
   int c;
 
@@ -41,7 +48,7 @@ static inline void axpy(int width, double f, const double *x, double *y)
   for (c = 0; c < width; ++c) y[c] += f * x[c];
 }
 
-static inline void scale(int width, double f, double *x)
+ALWAYS_INLINE void scale(int width, double f, double *x)
 {
   int c;
 
@@ -49,7 +56,7 @@ static inline void scale(int width, double f, double *x)
   for (c = 0; c < width; ++c) x[c] *= f;
 }
 
-static inline void clear(int n, double *x)
+ALWAYS_INLINE void clear(int n, double *x)
 {
   int i;
 
@@ -57,7 +64,7 @@ static inline void clear(int n, double *x)
 }
 
 /* T = A^-1 T, L L^T = A, n rows */
-static inline void substitute(int n, int width, const double *L, double *T)
+ALWAYS_INLINE void substitute(int n, int width, const double *L, double *T)
 {
   int i, j;
 
@@ -75,7 +82,7 @@ static inline void substitute(int n, int width, const double *L, double *T)
  * back.  Velocities always need it: their error makes positions drift, and what is open of a loop is
  * magnified at singular positions.  A single column (accelerations, corrections) does not while the
  * pivots are alike. */
-static inline int needs_refinement(int n, int width, const double *L)
+ALWAYS_INLINE int needs_refinement(int n, int width, const double *L)
 {
   int i;
   double least = L[0], most = L[0];
@@ -89,7 +96,7 @@ static inline int needs_refinement(int n, int width, const double *L)
 }
 
 /* X = (Phi^T Phi)^-1 Phi^T Y; X and T have n rows */
-static inline void least_squares(int m, int n, int width, const double *phi, const double *L,
+ALWAYS_INLINE void least_squares(int m, int n, int width, const double *phi, const double *L,
                                  const double *Y, int stride, double *X, double *T)
 {
   int i, k;
@@ -116,7 +123,7 @@ enum { SMALL = 3 };
 
 /* an island of at most SMALL dependents; m and n are constants of the caller, so that all of it stays
  * in registers */
-static inline void solve_small(int m, int n, int width, const double *phi, const double *L,
+ALWAYS_INLINE void solve_small(int m, int n, int width, const double *phi, const double *L,
                                const double *Y, int stride, const int *dep, double *X)
 {
   double x[SMALL * MAGGI_WIDTH], t[SMALL * MAGGI_WIDTH];
@@ -126,7 +133,7 @@ static inline void solve_small(int m, int n, int width, const double *phi, const
   for (i = 0; i < n; ++i) load(width, x + i * width, X + dep[i] * stride);
 }
 
-static inline void solve(int m, int n, int width, const double *phi, const double *L,
+ALWAYS_INLINE void solve(int m, int n, int width, const double *phi, const double *L,
                          const double *Y, int stride, const int *dep, double *X, double *work)
 {
   int k;
@@ -166,7 +173,7 @@ void maggi_solve_vector(int m, int n, int phiadr, const double phi[], int cholad
   solve(m, n, 1, phi + phiadr, chol + choladr, y + yrow, 1, dep + depadr, x, work);
 }
 
-static inline double dot_rows(int begin, int end, const double *a, const double *b)
+ALWAYS_INLINE double dot_rows(int begin, int end, const double *a, const double *b)
 {
   int k;
   double s = 0.0;

@@ -1,9 +1,10 @@
 /* Random mechanisms as plain descriptions, and their motion computed without the library.
  *
  * A description holds the definitions of maggi.h with indices in place of names, so that it can be
- * copied, moved, turned and built in any order of its parts.  mech_motion computes poses,
- * velocities and accelerations of all bodies from the coordinates by the textbook formulas of moving
- * frames: nothing of core/ is used, so the tests compare two derivations.
+ * copied, moved, turned and built in any order of its parts (generate.c, transform.c, build.c).
+ * mech_motion computes poses, velocities and accelerations of all bodies from the coordinates by
+ * the textbook formulas of moving frames (motion.c): nothing of core/ is used, so the tests compare
+ * two derivations.
  */
 #ifndef MAGGI_TESTS_MECHANISM_H
 #define MAGGI_TESTS_MECHANISM_H

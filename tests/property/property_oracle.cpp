@@ -1,7 +1,7 @@
 // Random mechanisms against the augmented index-1 system in absolute coordinates (oracle.hpp):
 // accelerations, reactions, multipliers, drives, degrees of freedom, reduced mass matrix, energies
-// and sensors, at the start, 50 steps later, and for the smaller ones after a second, when independent
-// coordinates have changed.
+// and sensors, at the start, 50 steps later, and for the smaller ones after a second, when
+// independent coordinates have changed.
 //
 //   property_oracle [--seed N] [--from N] [--count N] [--verbose]
 #include <cmath>
