@@ -114,6 +114,21 @@ static maggi_status newton(maggi_data *d, double time, int avoid, int relaxed, d
   return MAGGI_OK;
 }
 
+/* a cylindrical or prismatic loop whose equations hold with one axis against the other, -1: none */
+static int reversed_loop(const maggi_data *d)
+{
+  const maggi_topo *t = &d->t;
+  double axis_b[3];
+  int i;
+
+  for (i = 0; i + 1 < t->nprim; ++i) {
+    if (t->primkind[i] != MAGGI_PRIM_PLANE || t->primkind[i + 1] != MAGGI_PRIM_PLANE) continue;
+    maggi_cross(d->dir[t->primdb[i]], d->dir[t->primdb[i + 1]], axis_b);
+    if (maggi_dot(d->dir[t->primda[i]], axis_b) < 0.0) return t->primloop[i];
+  }
+  return -1;
+}
+
 /* between -1 and 1, the same in every run */
 static double scattered(unsigned *seed)
 {
@@ -128,7 +143,7 @@ static maggi_status assemble(maggi_data *d, double time, int avoid)
   double violation, least = INFINITY, spread;
   maggi_status status;
   unsigned seed = 1;
-  int n, i;
+  int n, i, loop, reversed = -1;
 
   memcpy(d->dqs, d->q, bytes);
   for (n = 0; n < ASSEMBLY_STARTS; ++n) {
@@ -138,12 +153,18 @@ static maggi_status assemble(maggi_data *d, double time, int avoid)
         d->q[i] = d->dqs[i] + spread * scattered(&seed);
     status = newton(d, time, avoid, n % 2, &violation);
     if (status != MAGGI_OK) return status;
-    if (violation <= d->tolerance) return MAGGI_OK;
-    if (violation < least) {
+    if (violation <= d->tolerance) {
+      loop = reversed_loop(d);
+      if (loop < 0) return MAGGI_OK;
+      reversed = loop;
+    } else if (violation < least) {
       least = violation;
       memcpy(d->dus, d->q, bytes);
     }
   }
+  if (reversed >= 0)
+    return maggi_data_fail(d, MAGGI_E_ASSEMBLY, "loop \"%s\" closes only with its axis reversed",
+                           d->m->loop[reversed].name);
   memcpy(d->q, d->dus, bytes);
   maggi_evaluate_positions(d, time);
   return fail_assembly(d, least);
@@ -242,6 +263,46 @@ static maggi_status check_constants(maggi_data *d)
   return MAGGI_OK;
 }
 
+/* largest rate at which a loop opens, and which */
+static double opening_rate(const maggi_data *d, int *loop)
+{
+  const maggi_topo *t = &d->t;
+  double e[3], rate[3], largest = 0.0;
+  int i, k, c;
+
+  for (i = 0; i < t->nprim; ++i) {
+    for (k = 0; k < 3; ++k) rate[k] = 0.0;
+    for (c = t->pathadr[t->primloop[i]]; c < t->pathadr[t->primloop[i] + 1]; ++c) {
+      maggi_prim_entry(t->primkind[i], t->pathside[c], d->prim0[i], d->b[t->qbody[t->pathq[c]]],
+                       d->r[t->primpa[i]], d->r[t->primpb[i]], d->dir[t->primda[i]],
+                       d->dir[t->primdb[i]], e);
+      for (k = 0; k < maggi_prim_rows(t->primkind[i]); ++k) rate[k] += e[k] * d->v[t->pathq[c]];
+    }
+    for (k = 0; k < 3; ++k) {
+      if (fabs(rate[k]) <= largest) continue;
+      largest = fabs(rate[k]);
+      *loop = t->primloop[i];
+    }
+  }
+  return largest;
+}
+
+/* guides must move as the loops allow */
+static maggi_status check_guides(maggi_data *d)
+{
+  double scale = 1.0, rate;
+  int i, loop = 0;
+
+  if (d->t.nguide == 0) return MAGGI_OK;
+  for (i = 0; i < d->t.nq; ++i) scale = fmax(scale, fabs(d->v[i]));
+  rate = opening_rate(d, &loop);
+  if (rate <= 1e-8 * scale * fmax(1.0, roundoff(d) / (4.0 * DBL_EPSILON))) return MAGGI_OK;
+  return maggi_data_fail(d, MAGGI_E_ASSEMBLY,
+                         "the guided motions contradict loop \"%s\": they open it at %.3g m/s or "
+                         "rad/s",
+                         d->m->loop[loop].name, rate);
+}
+
 /* from q, the plan and vcol to a consistent state with its accelerations */
 static maggi_status complete(maggi_data *d, double time)
 {
@@ -256,6 +317,7 @@ static maggi_status complete(maggi_data *d, double time)
   maggi_evaluate(d, time);
   d->pivot_ratio = d->stage_ratio;
   status = maggi_check(d, time);
+  if (status == MAGGI_OK) status = check_guides(d);
   d->ready = status == MAGGI_OK;
   return status;
 }
@@ -320,9 +382,11 @@ static maggi_status fail_lockup(maggi_data *d, double time)
 {
   int loop = maggi_worst_loop(d);
 
-  return maggi_data_fail(
-      d, MAGGI_E_LOCKUP, "t = %.6g s: the mechanism locks up: %s \"%s\" cannot stay closed", time,
-      strcmp(d->m->loop[loop].kind, "rod") == 0 ? "rod" : "loop", d->m->loop[loop].name);
+  return maggi_data_fail(d, MAGGI_E_LOCKUP,
+                         "t = %.6g s: the mechanism locks up, or the step is too large for it: %s "
+                         "\"%s\" cannot stay closed",
+                         time, strcmp(d->m->loop[loop].kind, "rod") == 0 ? "rod" : "loop",
+                         d->m->loop[loop].name);
 }
 
 /* close to a singular position the loops are kept closed to round-off */
@@ -359,8 +423,8 @@ maggi_status maggi_project(maggi_data *d, double time)
       maggi_evaluate_positions(d, time);
       return fail_lockup(d, time);
     }
-    /* round-off of a bad position: as good as it gets */
-    if (violation <= d->tolerance && violation > 0.5 * before) break;
+    /* no progress any more, close to round-off: as good as it gets */
+    if (violation <= fmax(d->tolerance, 1e4 * roundoff(d)) && violation > 0.5 * before) break;
   }
   return MAGGI_OK;
 }

@@ -274,38 +274,63 @@ maggi_status maggi_plan(maggi_data *d, int avoid, double threshold)
   return status == MAGGI_OK ? compile(d) : status;
 }
 
-static int same_choice(const maggi_data *d)
+/* loops of an island go to the end of the order in which loops take their dependents */
+static void demote(maggi_data *d, int island)
 {
-  const maggi_planner *pl = d->planner;
-  int i;
+  maggi_planner *pl = d->planner;
+  int i, n = 0, pass;
 
-  for (i = 0; i < d->t.nq; ++i)
-    if ((pl->owner[i] < 0) != (pl->previous[i] < 0)) return 0;
-  return 1;
+  for (pass = 0; pass < 2; ++pass)
+    for (i = 0; i < d->t.nloop; ++i)
+      if ((pl->loopisland[pl->previous_order[i]] == island) == pass)
+        pl->order[n++] = pl->previous_order[i];
 }
 
+/* a choice in the present order of loops; whether its smallest pivot is much better than `old` */
+static maggi_status try_choice(maggi_data *d, double old, int *better)
+{
+  maggi_planner *pl = d->planner;
+  maggi_status status;
+  int i, dep, rank = 0, old_rank = d->t.ndep;
+  double ratio;
+
+  *better = 0;
+  status = maggi_choose(d, 0, 0.5);
+  if (status != MAGGI_OK) return status;
+  for (i = 0; i < d->t.nloop; ++i) rank += pl->rank[i];
+  if (rank != old_rank || memcmp(pl->owner, pl->previous, (size_t)d->t.nq * sizeof(int)) == 0)
+    return MAGGI_OK;
+  status = compile(d);
+  if (status != MAGGI_OK) return status;
+  *better = maggi_smallest_pivot(d, &ratio, &dep) > 2.0 * old;
+  return MAGGI_OK;
+}
+
+/* Other dependents, or, where loops are redundant in part, the same ones from other loops: those of
+ * the island with the small pivot choose last. */
 maggi_status maggi_plan_renew(maggi_data *d, int *changed)
 {
   maggi_planner *pl = d->planner;
   maggi_status status;
   size_t size = (size_t)d->t.nq * sizeof(int);
-  int i, dep, rank = 0, old_rank = d->t.ndep;
+  int i, dep, island;
   double old, ratio;
 
-  *changed = 0;
   old = maggi_smallest_pivot(d, &ratio, &dep);
+  island = dep < 0 ? -1 : pl->loopisland[pl->owner[d->t.dep[dep]]];
   memcpy(pl->previous, pl->owner, size);
+  memcpy(pl->previous_order, pl->order, (size_t)d->t.nloop * sizeof(int));
+  memcpy(pl->previous_island, pl->loopisland, (size_t)d->t.nloop * sizeof(int));
   memcpy(d->piv1, d->piv0, (size_t)d->t.nq * sizeof(double));
-  status = maggi_choose(d, 0, 0.5);
-  if (status != MAGGI_OK) return status;
-  for (i = 0; i < d->t.nloop; ++i) rank += pl->rank[i];
-  if (rank == old_rank && !same_choice(d)) {
-    status = compile(d);
-    if (status != MAGGI_OK) return status;
-    *changed = maggi_smallest_pivot(d, &ratio, &dep) > 2.0 * old;
-    if (*changed) return MAGGI_OK;
-  }
+  status = try_choice(d, old, changed);
+  if (status != MAGGI_OK || *changed) return status;
+  memcpy(pl->loopisland, pl->previous_island, (size_t)d->t.nloop * sizeof(int));
+  demote(d, island);
+  status = try_choice(d, old, changed);
+  if (status != MAGGI_OK || *changed) return status;
+
   /* nothing better: back to what was */
+  memcpy(pl->order, pl->previous_order, (size_t)d->t.nloop * sizeof(int));
   memcpy(pl->owner, pl->previous, size);
   for (i = 0; i < d->t.nloop; ++i) pl->rank[i] = 0;
   for (i = 0; i < d->t.nq; ++i)

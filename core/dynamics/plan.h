@@ -18,11 +18,13 @@ typedef struct maggi_ints {
 } maggi_ints;
 
 struct maggi_planner {
-  int *order;    /* (nloop) loops with short paths first */
-  int *loopprim; /* (nloop + 1) first building block of a loop */
-  int *owner;    /* (nq) loop on which a coordinate depends, -1 if none */
-  int *previous; /* (nq) owner before the last choice */
-  int *rank;     /* (nloop) dependents of a loop */
+  int *order;           /* (nloop) loops with short paths first */
+  int *loopprim;        /* (nloop + 1) first building block of a loop */
+  int *owner;           /* (nq) loop on which a coordinate depends, -1 if none */
+  int *previous;        /* (nq) owner before the last choice */
+  int *previous_order;  /* (nloop) */
+  int *previous_island; /* (nloop) */
+  int *rank;            /* (nloop) dependents of a loop */
   /* choose.c */
   maggi_row *row; /* (nq) */
   int *poolq;

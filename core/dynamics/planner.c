@@ -84,6 +84,8 @@ maggi_status maggi_planner_create(const maggi_model *m, maggi_planner **planner)
   pl->loopprim = ints(t->nloop + 1);
   pl->owner = ints(t->nq);
   pl->previous = ints(t->nq);
+  pl->previous_order = ints(t->nloop);
+  pl->previous_island = ints(t->nloop);
   pl->rank = ints(t->nloop);
   pl->row = calloc((size_t)t->nq + 1, sizeof *pl->row);
   pl->candidate = ints(t->nq);
@@ -99,10 +101,10 @@ maggi_status maggi_planner_create(const maggi_model *m, maggi_planner **planner)
   pl->local = ints(t->nq);
   pl->vhead = ints(t->nbody);
   pl->climb = ints(t->nbody);
-  ok = pl->order && pl->loopprim && pl->owner && pl->previous && pl->rank && pl->row &&
-       pl->candidate && pl->columnq && pl->sum && pl->component && pl->low && pl->index &&
-       pl->stack && pl->frame && pl->at && pl->loopisland && pl->local && pl->vhead && pl->climb &&
-       reserve(pl, t);
+  ok = pl->order && pl->loopprim && pl->owner && pl->previous && pl->previous_order &&
+       pl->previous_island && pl->rank && pl->row && pl->candidate && pl->columnq && pl->sum &&
+       pl->component && pl->low && pl->index && pl->stack && pl->frame && pl->at &&
+       pl->loopisland && pl->local && pl->vhead && pl->climb && reserve(pl, t);
   if (!ok) {
     maggi_planner_free(pl);
     return MAGGI_E_MEMORY;
@@ -120,6 +122,8 @@ void maggi_planner_free(maggi_planner *pl)
   free(pl->loopprim);
   free(pl->owner);
   free(pl->previous);
+  free(pl->previous_order);
+  free(pl->previous_island);
   free(pl->rank);
   free(pl->row);
   free(pl->poolq);

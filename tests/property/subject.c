@@ -60,16 +60,14 @@ int subject_set(subject *s, double t, const double *q, const double *v)
     fq[s->q[i]] = q[i];
     fv[s->q[i]] = v[i];
   }
-  if (maggi_data_set_state(s->data, t, fq, fv) == MAGGI_OK)
-    return 1;
+  if (maggi_data_set_state(s->data, t, fq, fv) == MAGGI_OK) return 1;
   say(s, "set_state", maggi_data_message(s->data));
   return 0;
 }
 
 int subject_reset(subject *s)
 {
-  if (maggi_data_reset(s->data) == MAGGI_OK)
-    return 1;
+  if (maggi_data_reset(s->data) == MAGGI_OK) return 1;
   say(s, "reset", maggi_data_message(s->data));
   return 0;
 }
@@ -78,8 +76,7 @@ static void sort_out(const subject *s, const double *from, double *to)
 {
   int i;
 
-  for (i = 0; to && i < s->m.nq; ++i)
-    to[i] = from[s->q[i]];
+  for (i = 0; to && i < s->m.nq; ++i) to[i] = from[s->q[i]];
 }
 
 void subject_get(const subject *s, double *q, double *v, double *a)
@@ -97,8 +94,7 @@ int subject_steps(subject *s, int n, double h)
   int i;
 
   for (i = 0; i < n; ++i) {
-    if (maggi_step(s->data, h) == MAGGI_OK)
-      continue;
+    if (maggi_step(s->data, h) == MAGGI_OK) continue;
     say(s, "step", maggi_data_message(s->data));
     return report_true(s->m.seed, "every step succeeds", 0);
   }
@@ -112,8 +108,7 @@ static double largest(const double *x, int n)
   double y = 0.0;
   int i;
 
-  for (i = 0; i < n; ++i)
-    y = fmax(y, fabs(x[i]));
+  for (i = 0; i < n; ++i) y = fmax(y, fabs(x[i]));
   return y;
 }
 
@@ -122,8 +117,7 @@ static int column_coordinate(const subject *s, int column)
 {
   int i = 0;
 
-  while (s->model->coordinate[i].q != s->data->t.colq[column])
-    ++i;
+  while (s->model->coordinate[i].q != s->data->t.colq[column]) ++i;
   return i;
 }
 
@@ -145,14 +139,11 @@ static int random_velocities(subject *s)
   int i;
 
   subject_get(s, q, v, NULL);
-  for (i = 0; i < s->m.nq; ++i)
-    v[i] = mech_uniform(&g, -1.0, 1.0);
-  if (!subject_set(s, 0.0, q, v))
-    return 0;
+  for (i = 0; i < s->m.nq; ++i) v[i] = mech_uniform(&g, -1.0, 1.0);
+  if (!subject_set(s, 0.0, q, v)) return 0;
   subject_get(s, q, v, NULL);
   most = largest(v, s->m.nq);
-  for (i = 0; i < s->m.nq && most > fastest; ++i)
-    v[i] *= fastest / most;
+  for (i = 0; i < s->m.nq && most > fastest; ++i) v[i] *= fastest / most;
   return subject_set(s, 0.0, q, v);
 }
 
@@ -164,15 +155,13 @@ static int is_forced(const subject *s)
   double *R = calloc((size_t)(nq * n) + 1, sizeof *R);
   double v[MECH_COORDINATES], sum, open = 0.0;
 
-  if (!phi || !R)
-    abort();
+  if (!phi || !R) abort();
   subject_jacobian(s, phi);
   subject_velocity_columns(s, R);
   for (i = 0; i < rows; ++i) {
     for (c = 0; c < n; ++c) {
       sum = 0.0;
-      for (k = 0; k < nq; ++k)
-        sum += phi[i * nq + k] * R[k * n + c];
+      for (k = 0; k < nq; ++k) sum += phi[i * nq + k] * R[k * n + c];
       /* of the other columns it is a failure, which property_random reports */
       if (!maggi_coordinate_is_independent(s->data, column_coordinate(s, c)))
         open = fmax(open, fabs(sum));
@@ -190,11 +179,15 @@ static int try_start(subject *s)
   maggi_loop_state state;
   maggi_status status;
 
-  if (!subject_build(s, NULL))
-    return -1;
+  if (!subject_build(s, NULL)) return -1;
   status = maggi_data_reset(s->data);
   if (status == MAGGI_E_ASSEMBLY && s->m.kind == MECH_LOOPS_OPEN) {
     report_count("generated anew: opened too far to be assembled");
+    return 0;
+  }
+  if (status == MAGGI_E_ASSEMBLY &&
+      strstr(maggi_data_message(s->data), "guided motions contradict")) {
+    report_count("generated anew: guides force the loops, refused");
     return 0;
   }
   if (status != MAGGI_OK) {
@@ -211,8 +204,7 @@ static int try_start(subject *s)
     report_count("generated anew: close to singular");
     return 0;
   }
-  if (!report_true(s->m.seed, "random velocities are completed", random_velocities(s)))
-    return -1;
+  if (!report_true(s->m.seed, "random velocities are completed", random_velocities(s))) return -1;
   if (is_forced(s)) {
     report_count("generated anew: guides force the loops");
     return 0;
@@ -227,11 +219,9 @@ int subject_create(uint64_t seed, subject *s)
   for (attempt = 0; attempt < ATTEMPTS; ++attempt) {
     mech_generate(seed, attempt, &s->m);
     result = try_start(s);
-    if (result > 0)
-      return 1;
+    if (result > 0) return 1;
     subject_free(s);
-    if (result < 0)
-      return 0;
+    if (result < 0) return 0;
   }
   return report_true(seed, "the seed gives a mechanism that moves", 0);
 }
@@ -255,8 +245,7 @@ void subject_velocity_columns(const subject *s, double *R)
   int i, c;
 
   for (i = 0; i < s->m.nq; ++i)
-    for (c = 0; c < t->ncol; ++c)
-      R[i * t->ncol + c] = s->data->R[inner(s, i) * t->stride + c];
+    for (c = 0; c < t->ncol; ++c) R[i * t->ncol + c] = s->data->R[inner(s, i) * t->stride + c];
 }
 
 void subject_reduced_mass(const subject *s, double *M)
@@ -276,10 +265,8 @@ int subject_jacobian(const subject *s, double *phi)
   double e[3];
   int i, k, j, l, q, rows, outer[MECH_COORDINATES];
 
-  if (!phi)
-    return t->nrow;
-  for (i = 0; i < s->m.nq; ++i)
-    outer[inner(s, i)] = i;
+  if (!phi) return t->nrow;
+  for (i = 0; i < s->m.nq; ++i) outer[inner(s, i)] = i;
   memset(phi, 0, (size_t)t->nrow * (size_t)t->nq * sizeof *phi);
   for (i = 0; i < t->nprim; ++i) {
     l = t->primloop[i];
@@ -289,8 +276,7 @@ int subject_jacobian(const subject *s, double *phi)
       maggi_prim_entry(t->primkind[i], t->pathside[j], d->prim0[i], d->b[t->qbody[q]],
                        d->r[t->primpa[i]], d->r[t->primpb[i]], d->dir[t->primda[i]],
                        d->dir[t->primdb[i]], e);
-      for (k = 0; k < rows; ++k)
-        phi[(t->primrow[i] + k) * t->nq + outer[q]] = e[k];
+      for (k = 0; k < rows; ++k) phi[(t->primrow[i] + k) * t->nq + outer[q]] = e[k];
     }
   }
   return t->nrow;
@@ -308,8 +294,7 @@ void subject_loop_wrench(subject *s, int loop, double wrench[6])
   memset(wrench, 0, 6 * sizeof *wrench);
   maggi_get_multipliers(s->data, lambda);
   for (i = 0; i < t->nprim; ++i) {
-    if (t->primloop[i] != loop)
-      continue;
+    if (t->primloop[i] != loop) continue;
     l = lambda + t->primrow[i];
     da = s->data->dir[t->primda[i]];
     db = s->data->dir[t->primdb[i]];
