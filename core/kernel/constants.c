@@ -137,34 +137,40 @@ static void bar_inertia(double m, const double e[3], double J[6])
   J[5] = -m / 12.0 * e[1] * e[2];
 }
 
+static void point_add(double m, const double g[3], double body[10])
+{
+  int k;
+  double J[6];
+
+  for (k = 0; k < 6; ++k) J[k] = 0.0;
+  lump_add(m, g, J, body);
+}
+
 static void lump(int kind, int adr, int np, const double p[np], int refadr, double body[10])
 {
   int k;
-  double m;
   double g[3], e[3], J[6];
 
-  for (k = 0; k < 6; ++k) J[k] = 0.0;
-  m = p[adr];
   if (kind == MAGGI_LUMP_RIGID) {
     for (k = 0; k < 3; ++k) g[k] = p[adr + 1 + k] - p[refadr + k];
     for (k = 0; k < 6; ++k) J[k] = p[adr + 4 + k];
-    lump_add(m, g, J, body);
+    lump_add(p[adr], g, J, body);
   } else if (kind == MAGGI_LUMP_BAR) {
     for (k = 0; k < 3; ++k) {
       g[k] = 0.5 * (p[adr + 1 + k] + p[adr + 4 + k]) - p[refadr + k];
       e[k] = p[adr + 4 + k] - p[adr + 1 + k];
     }
-    bar_inertia(m, e, J);
-    lump_add(m, g, J, body);
+    bar_inertia(p[adr], e, J);
+    lump_add(p[adr], g, J, body);
   } else if (kind == MAGGI_LUMP_POINT) {
     for (k = 0; k < 3; ++k) g[k] = p[adr + 1 + k] - p[refadr + k];
-    lump_add(m, g, J, body);
+    point_add(p[adr], g, body);
   } else if (kind == MAGGI_LUMP_ROD_A) {
     for (k = 0; k < 3; ++k) g[k] = p[adr + 1 + k] - p[refadr + k];
-    lump_add(m / 3.0, g, J, body);
+    point_add(p[adr] / 3.0, g, body);
   } else {
     for (k = 0; k < 3; ++k) g[k] = p[adr + 4 + k] - p[refadr + k];
-    lump_add(m / 3.0, g, J, body);
+    point_add(p[adr] / 3.0, g, body);
   }
 }
 

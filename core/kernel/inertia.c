@@ -62,14 +62,14 @@ static void inertia_force(const double I[10], const double Z[6], const double Za
   F[5] = -D[5] - (Z[3] * H[4] - Z[4] * H[3] + Z[0] * H[1] - Z[1] * H[0]);
 }
 
+/* bodies without inertia keep the zeros they were given at the start; rods and loops add to the ground */
 void maggi_inertia_forces(const maggi_topo *t, const double I[t->nbody][10],
                           const double Z[t->nbody + 1][6], const double Za[t->nbody + 1][6],
                           double F[t->nbody + 1][6])
 {
   int i, k;
 
-  for (i = 0; i <= t->nbody; ++i)
-    for (k = 0; k < 6; ++k) F[i][k] = 0.0;
+  for (k = 0; k < 6; ++k) F[t->nbody][k] = 0.0;
   for (i = 0; i < t->nmassive; ++i)
     inertia_force(I[t->massive[i]], Z[t->massive[i]], Za[t->massive[i]], F[t->massive[i]]);
 }

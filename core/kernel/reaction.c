@@ -63,45 +63,50 @@ void maggi_loop_multipliers(const maggi_topo *t, const double prim0[t->nprim],
   }
 }
 
-/* wrench at P that a building block exerts on body a (sign -1) and b (sign +1): - Phi^T lambda */
+static void torque_add(const double torque[3], double F[6])
+{
+  F[3] += torque[0];
+  F[4] += torque[1];
+  F[5] += torque[2];
+}
+
+/* wrench at P that a building block exerts on body a and body b: - Phi^T lambda */
 static void prim_force(int kind, int row, double length, const double ra[3], const double rb[3],
                        const double da[3], const double db[3], int nrow, const double lambda[nrow],
                        double Fa[6], double Fb[6])
 {
   int k;
-  double l[3], fa[3], fb[3], ca[3], cb[3];
+  double l[3], fa[3], fb[3], c[3], ca[3], cb[3];
 
-  for (k = 0; k < 3; ++k) {
-    fa[k] = 0.0;
-    ca[k] = 0.0;
-    cb[k] = 0.0;
-    l[k] = kind == MAGGI_PRIM_POINT || kind == MAGGI_PRIM_AXIS ? lambda[row + k] : lambda[row];
-  }
-  if (kind == MAGGI_PRIM_POINT) {
-    for (k = 0; k < 3; ++k) fa[k] = -l[k];
-  } else if (kind == MAGGI_PRIM_AXIS) {
+  if (kind == MAGGI_PRIM_AXIS) {
+    for (k = 0; k < 3; ++k) l[k] = lambda[row + k];
     maggi_cross(l, da, ca);
     maggi_cross(db, l, cb);
+    torque_add(ca, Fa);
+    torque_add(cb, Fb);
   } else if (kind == MAGGI_PRIM_ANGLE) {
-    maggi_cross(db, da, ca);
+    maggi_cross(db, da, c);
     for (k = 0; k < 3; ++k) {
-      ca[k] *= l[0];
-      cb[k] = -ca[k];
+      ca[k] = lambda[row] * c[k];
+      cb[k] = -lambda[row] * c[k];
     }
-  } else if (kind == MAGGI_PRIM_PLANE) {
-    for (k = 0; k < 3; ++k) fa[k] = -l[0] * db[k];
+    torque_add(ca, Fa);
+    torque_add(cb, Fb);
   } else {
-    for (k = 0; k < 3; ++k) fa[k] = -l[0] * (ra[k] - rb[k]) / length;
-  }
-  for (k = 0; k < 3; ++k) fb[k] = -fa[k];
-  maggi_wrench_add(fa, ra, Fa);
-  if (kind == MAGGI_PRIM_PLANE)
-    maggi_wrench_add(fb, ra, Fb);
-  else
-    maggi_wrench_add(fb, rb, Fb);
-  for (k = 0; k < 3; ++k) {
-    Fa[k + 3] += ca[k];
-    Fb[k + 3] += cb[k];
+    for (k = 0; k < 3; ++k) {
+      if (kind == MAGGI_PRIM_POINT)
+        fb[k] = lambda[row + k];
+      else if (kind == MAGGI_PRIM_PLANE)
+        fb[k] = lambda[row] * db[k];
+      else
+        fb[k] = lambda[row] * (ra[k] - rb[k]) / length;
+      fa[k] = -fb[k];
+    }
+    maggi_wrench_add(fa, ra, Fa);
+    if (kind == MAGGI_PRIM_PLANE)
+      maggi_wrench_add(fb, ra, Fb);
+    else
+      maggi_wrench_add(fb, rb, Fb);
   }
 }
 
