@@ -190,6 +190,42 @@ static void lower(int *first, int value)
   if (value < *first) *first = value;
 }
 
+/* of two dependents, the one with fewer columns multiplies its row of R_z into the row of the other */
+static int source_of(const maggi_planner *pl, int i, int j)
+{
+  return pl->rend.v[i] - pl->rbeg.v[i] < pl->rend.v[j] - pl->rbeg.v[j] ? i : j;
+}
+
+/* place of a dependent coordinate in dep */
+static int place_of(const maggi_planner *pl, int q)
+{
+  return pl->isldep.v[pl->loopisland[pl->owner[q]]] + pl->local[q];
+}
+
+/* pairs of two dependents, sorted by the row of M R_z that takes them; ddadr holds the counts */
+static int list_dependent_pairs(maggi_data *d)
+{
+  maggi_topo *t = &d->t;
+  maggi_planner *pl = d->planner;
+  int *next = pl->climb, i, j, k, at;
+
+  for (i = 0; i < t->ndep; ++i) {
+    pl->ddadr.v[i + 1] += pl->ddadr.v[i];
+    next[i] = pl->ddadr.v[i];
+  }
+  t->ndd = pl->ddadr.v[t->ndep];
+  if (!maggi_sized(&pl->ddpair, t->ndd, 0) || !maggi_sized(&pl->ddsrc, t->ndd, 0)) return 0;
+  for (k = 0; k < t->npair; ++k) {
+    i = t->pairi[k];
+    j = t->pairj[k];
+    if (pl->col.v[i] >= 0 || pl->col.v[j] >= 0) continue;
+    at = next[place_of(pl, i + j - source_of(pl, i, j))]++;
+    pl->ddpair.v[at] = k;
+    pl->ddsrc.v[at] = source_of(pl, i, j);
+  }
+  return 1;
+}
+
 static int list_mass(maggi_data *d)
 {
   maggi_topo *t = &d->t;
@@ -198,9 +234,8 @@ static int list_mass(maggi_data *d)
 
   pl->iipair.n = pl->iirow.n = pl->iicol.n = 0;
   pl->idpair.n = pl->iddep.n = pl->idcol.n = 0;
-  pl->ddpair.n = pl->dddst.n = pl->ddsrc.n = 0;
   if (!maggi_sized(&pl->first, t->nq, 0) || !maggi_sized(&pl->zbeg, t->nq, 0) ||
-      !maggi_sized(&pl->zend, t->nq, 0))
+      !maggi_sized(&pl->zend, t->nq, 0) || !maggi_sized(&pl->ddadr, t->nq1, 0))
     return 0;
   for (i = 0; i < t->nq; ++i) {
     pl->first.v[i] = i;
@@ -225,10 +260,9 @@ static int list_mass(maggi_data *d)
            maggi_push_int(&pl->idcol, c);
       widen(&pl->zbeg.v[q], &pl->zend.v[q], c, c + 1);
     } else {
-      src = pl->rend.v[i] - pl->rbeg.v[i] < pl->rend.v[j] - pl->rbeg.v[j] ? i : j;
+      src = source_of(pl, i, j);
       dst = i + j - src;
-      ok = maggi_push_int(&pl->ddpair, k) && maggi_push_int(&pl->dddst, dst) &&
-           maggi_push_int(&pl->ddsrc, src);
+      ++pl->ddadr.v[place_of(pl, dst) + 1];
       widen(&pl->zbeg.v[dst], &pl->zend.v[dst], pl->rbeg.v[src], pl->rend.v[src]);
     }
   }
@@ -240,8 +274,7 @@ static int list_mass(maggi_data *d)
   }
   t->nii = pl->iipair.n;
   t->nid = pl->idpair.n;
-  t->ndd = pl->ddpair.n;
-  return ok;
+  return ok && list_dependent_pairs(d);
 }
 
 /* all lists from owner and rank, factors of the present position */

@@ -54,8 +54,8 @@ static void sort_loops(const maggi_topo *t, int *order)
 /* the longest that the lists can become, so that another choice while running allocates nothing */
 static int reserve(maggi_planner *pl, const maggi_topo *t)
 {
-  maggi_ints *pairs[] = {&pl->iipair, &pl->iirow,  &pl->iicol, &pl->idpair, &pl->iddep,
-                         &pl->idcol,  &pl->ddpair, &pl->dddst, &pl->ddsrc};
+  maggi_ints *pairs[] = {&pl->iipair, &pl->iirow, &pl->iicol,  &pl->idpair,
+                         &pl->iddep,  &pl->idcol, &pl->ddpair, &pl->ddsrc};
   maggi_ints *rows[] = {&pl->vrowbeg, &pl->vrowend, &pl->vbase, &pl->vnext,
                         &pl->vopdst,  &pl->vopsrc,  &pl->vopq};
   maggi_ints *entries[] = {&pl->entprim, &pl->entside, &pl->entq, &pl->entadr, &pl->entstep};

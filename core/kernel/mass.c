@@ -8,6 +8,26 @@
  */
 #include "kernel.h"
 
+/* M_ij = b_j.F of the ancestors j of one coordinate, F = IS_i b_i */
+static void mass_row(const maggi_topo *t, int begin, int end, const double b[t->nbody][6],
+                     const double F[6], double M[t->npair])
+{
+  int k, j;
+  double f0, f1, f2, f3, f4, f5;
+
+  f0 = F[0];
+  f1 = F[1];
+  f2 = F[2];
+  f3 = F[3];
+  f4 = F[4];
+  f5 = F[5];
+  for (k = begin; k < end; ++k) {
+    j = t->qbody[t->pairj[k]];
+    M[k] =
+        (b[j][0] * f0 + b[j][1] * f1 + b[j][2] * f2) + (b[j][3] * f3 + b[j][4] * f4 + b[j][5] * f5);
+  }
+}
+
 void maggi_mass_matrix(const maggi_topo *t, const double p[t->np], const double b[t->nbody][6],
                        const double r[t->npoint][3], const double IS[t->nbody + 1][10],
                        double Fb[t->nq][6], double rodjac[t->nrodjac][3], double M[t->npair])
@@ -15,9 +35,7 @@ void maggi_mass_matrix(const maggi_topo *t, const double p[t->np], const double 
   int i, k, a, c;
 
   for (i = 0; i < t->nq; ++i) maggi_inertia_mul(IS[t->qbody[i]], b[t->qbody[i]], Fb[i]);
-  for (i = 0; i < t->nq; ++i)
-    for (k = t->pairadr[i]; k < t->pairadr[i + 1]; ++k)
-      M[k] = maggi_dot6(b[t->qbody[t->pairj[k]]], Fb[i]);
+  for (i = 0; i < t->nq; ++i) mass_row(t, t->pairadr[i], t->pairadr[i + 1], b, Fb[i], M);
   for (k = t->ntreepair; k < t->npair; ++k) M[k] = 0.0;
   for (i = 0; i < t->nrodjac; ++i)
     maggi_point_rate(b[t->qbody[t->rodjacq[i]]], r[t->rodjacpoint[i]], rodjac[i]);
@@ -63,26 +81,39 @@ static void row_zero(int row, int begin, int end, int n, double M[n])
   }
 }
 
+/* row of M_dd R for dependent coordinate i of the order of dep, with half of its own entry */
+static void row_sum(const maggi_topo *t, int i, const double M[t->npair],
+                    const double R[t->nq * t->stride], double MR[t->nq * t->stride])
+{
+  int c, e, j, k, from;
+  double f;
+  double sum[MAGGI_WIDTH];
+
+  k = t->dep[i];
+  for (c = t->zbeg[k] / MAGGI_WIDTH * MAGGI_WIDTH; c < t->zend[k]; c += MAGGI_WIDTH) {
+    for (j = 0; j < MAGGI_WIDTH; ++j) sum[j] = 0.0;
+    for (e = t->ddadr[i]; e < t->ddadr[i + 1]; ++e) {
+      from = t->ddsrc[e] * t->stride + c;
+      f = t->ddsrc[e] == k ? 0.5 * M[t->ddpair[e]] : M[t->ddpair[e]];
+#pragma omp simd
+      for (j = 0; j < MAGGI_WIDTH; ++j) sum[j] += f * R[from + j];
+    }
+    for (j = 0; j < MAGGI_WIDTH; ++j) MR[k * t->stride + c + j] = sum[j];
+  }
+}
+
 void maggi_reduced_mass(const maggi_topo *t, const double M[t->npair],
                         const double R[t->nq * t->stride], double MR[t->nq * t->stride],
                         double Mr[t->ncol * t->stride])
 {
-  int i, k, dst, src, nR, nM;
+  int i, k, nR, nM;
 
   nR = t->nq * t->stride;
   nM = t->ncol * t->stride;
   for (i = 0; i < t->ncol; ++i) row_zero(i * t->stride, i, t->ncol, nM, Mr);
-  for (i = 0; i < t->ndep; ++i)
-    row_zero(t->dep[i] * t->stride, t->zbeg[t->dep[i]], t->zend[t->dep[i]], nR, MR);
+  for (i = 0; i < t->ndep; ++i) row_sum(t, i, M, R, MR);
   for (i = 0; i < t->nii; ++i) Mr[t->iirow[i] * t->stride + t->iicol[i]] += M[t->iipair[i]];
   for (i = 0; i < t->nid; ++i) MR[t->iddep[i] * t->stride + t->idcol[i]] += M[t->idpair[i]];
-  for (i = 0; i < t->ndd; ++i) {
-    k = t->ddpair[i];
-    dst = t->dddst[i];
-    src = t->ddsrc[i];
-    row_axpy(dst * t->stride, src * t->stride, t->rbeg[src], t->rend[src],
-             dst == src ? 0.5 * M[k] : M[k], nR, R, nR, MR);
-  }
   for (i = 0; i < t->ndep; ++i) {
     k = t->dep[i];
     outer_add(k * t->stride, t->rbeg[k], t->rend[k], t->zbeg[k], t->zend[k], t->stride, nR, R, MR,

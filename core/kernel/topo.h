@@ -205,8 +205,8 @@ enum { MAGGI_JSPRING_K, MAGGI_JSPRING_C, MAGGI_JSPRING_REST, MAGGI_JSPRING_PRELO
   X(idcol, npair, "the column")                                                                    \
   X(iirow, npair, "the smaller column")                                                            \
   X(iicol, npair, "the larger one")                                                                \
+  X(ddadr, nq1, "first pair of two dependents for each row of M R_z, in the order of dep")         \
   X(ddpair, npair, "pair of two dependent coordinates")                                            \
-  X(dddst, npair, "row of M R_z that takes it")                                                    \
   X(ddsrc, npair, "row of R_z that it multiplies")
 
 typedef struct maggi_topo {

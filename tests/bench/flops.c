@@ -12,10 +12,10 @@ enum {
   DOT = 5,
   DOT6 = 11,
   CROSS = 9,
-  MUL = 15,         /* 3 x 3 times vector */
-  POINT_RATE = 12,  /* s + w x r */
+  MUL = 15,        /* 3 x 3 times vector */
+  POINT_RATE = 12, /* s + w x r */
   WRENCH_ADD = 15,
-  INERTIA_MUL = 42  /* I Z */
+  INERTIA_MUL = 42 /* I Z */
 };
 
 /* columns that a loop over begin..end by blocks of `width` touches */
@@ -53,8 +53,7 @@ static void positions(const maggi_topo *t, long f[])
 {
   int i;
 
-  for (i = 0; i < t->nfun; ++i)
-    f[STAGED_maggi_functions] += function(t->funkind[i], t->funn[i]);
+  for (i = 0; i < t->nfun; ++i) f[STAGED_maggi_functions] += function(t->funkind[i], t->funn[i]);
   f[STAGED_maggi_positions] += 6L * t->nbase;
   for (i = 0; i < t->nbody; ++i) {
     if (t->joint[i] == MAGGI_ONE_REVOLUTE) /* sin cos, Rot, Ap Rot, offset and axis, x x u */
@@ -158,11 +157,9 @@ static void loops(const maggi_topo *t, const double *chol, int width, long f[])
 
   for (i = 0; i < t->nprim; ++i) {
     f[STAGED_maggi_loop_residual] += residual(t->primkind[i]);
-    if (t->ndep > 0)
-      f[STAGED_maggi_loop_gamma] += gamma_of(t->primkind[i]);
+    if (t->ndep > 0) f[STAGED_maggi_loop_gamma] += gamma_of(t->primkind[i]);
   }
-  for (i = 0; i < t->nent; ++i)
-    f[STAGED_maggi_loop_entries] += entry(t->primkind[t->entprim[i]]);
+  for (i = 0; i < t->nent; ++i) f[STAGED_maggi_loop_entries] += entry(t->primkind[t->entprim[i]]);
   for (k = 0; k < t->nisland; ++k) {
     m = t->islrow[k + 1] - t->islrow[k];
     n = t->isldep[k + 1] - t->isldep[k];
@@ -179,8 +176,7 @@ static void loops(const maggi_topo *t, const double *chol, int width, long f[])
       f[STAGED_maggi_island_columns] += rate(kind, columns(t->islbeg[k], t->islend[k], width));
       f[STAGED_maggi_island_vector] += rate(kind, 1) + rows_of(kind);
     }
-    f[STAGED_maggi_island_columns] +=
-        refined(m, n) * columns(t->islbeg[k], t->islend[k], width);
+    f[STAGED_maggi_island_columns] += refined(m, n) * columns(t->islbeg[k], t->islend[k], width);
     f[STAGED_maggi_island_vector] += single(m, n, chol + t->islchol[k]);
   }
   f[STAGED_maggi_island_factors] += t->ndep > 0 ? t->ndep + 2 : 1; /* smallest pivot */
@@ -193,8 +189,7 @@ static void velocities(const maggi_topo *t, long f[])
   f[STAGED_maggi_velocities] += 54L * t->nq;
   f[STAGED_maggi_point_velocities] += (long)POINT_RATE * t->npointdyn;
   f[STAGED_maggi_point_accelerations] += passes * (POINT_RATE + 12L) * t->npointdyn;
-  if (t->ndep > 0)
-    f[STAGED_maggi_accelerations] += 12L * t->nq + 12L * t->nbody;
+  if (t->ndep > 0) f[STAGED_maggi_accelerations] += 12L * t->nq + 12L * t->nbody;
 }
 
 static void elements(const maggi_topo *t, long f[])
@@ -204,16 +199,14 @@ static void elements(const maggi_topo *t, long f[])
 
   for (i = 0; i < t->nspring; ++i) /* slopes as if below the knees */
     n += 60 + 2 + (t->springpreload[i] ? 1 : 0) + (t->springslopes[i] ? 2 : 0);
-  for (i = 0; i < t->njspring; ++i)
-    n += t->jspringq2[i] >= 0 ? 12 : 9;
+  for (i = 0; i < t->njspring; ++i) n += t->jspringq2[i] >= 0 ? 12 : 9;
   for (i = 0; i < t->nforce; ++i) {
     if (t->forcekind[i] == MAGGI_FORCE_JOINT) {
       n += 5;
       continue;
     }
     n += 3;
-    if (t->forcekind[i] == MAGGI_FORCE_BODY || t->forcekind[i] == MAGGI_TORQUE_BODY)
-      n += MUL;
+    if (t->forcekind[i] == MAGGI_FORCE_BODY || t->forcekind[i] == MAGGI_TORQUE_BODY) n += MUL;
     n += t->forcepoint[i] >= 0 ? 2 * WRENCH_ADD + 2 * POINT_RATE + 2 * DOT + 2 : 6 + 8 + 1;
   }
   f[STAGED_maggi_element_forces] += n;
@@ -231,19 +224,21 @@ static void inertias(const maggi_topo *t, long f[])
 static void mass_matrix(const maggi_topo *t, int width, long f[])
 {
   long n;
-  int i, c, k;
+  int i, j, c, k;
 
   f[STAGED_maggi_mass_matrix] += (long)INERTIA_MUL * t->nq + (long)DOT6 * t->ntreepair +
                                  (long)POINT_RATE * t->nrodjac + (DOT + 3L) * t->nrodpair;
   n = t->nii + t->nid;
-  for (i = 0; i < t->ndd; ++i) {
-    k = t->ddsrc[i];
-    n += 2 * columns(t->rbeg[k], t->rend[k], width) + (t->dddst[i] == k);
-  }
   for (i = 0; i < t->ndep; ++i) {
     k = t->dep[i];
-    for (c = t->zbeg[k]; c < t->rbeg[k]; ++c)
-      n += 2 * columns(t->rbeg[k], t->rend[k], width);
+    /* row of M_dd R: all columns of the row for each pair when by blocks, else those of its source */
+    for (c = t->ddadr[i]; c < t->ddadr[i + 1]; ++c) {
+      j = t->ddsrc[c];
+      n += width > 1 ? 2 * columns(t->zbeg[k], t->zend[k], width) +
+                           (j == k) * columns(t->zbeg[k], t->zend[k], width) / width
+                     : 2 * columns(t->rbeg[j], t->rend[j], 1) + (j == k);
+    }
+    for (c = t->zbeg[k]; c < t->rbeg[k]; ++c) n += 2 * columns(t->rbeg[k], t->rend[k], width);
     for (c = t->rbeg[k]; c < t->rend[k]; ++c)
       n += 2 * columns(c, t->zend[k], width) + 2 * columns(c, t->rend[k], width);
   }
@@ -264,8 +259,7 @@ static void solve(const maggi_topo *t, int width, long f[])
   for (k = 0; k < n; ++k) {
     f[STAGED_maggi_factor_mass] += 2 + columns(k, (int)n, width);
     for (i = k + 1; i < n; ++i)
-      if (t->first[i] <= k)
-        f[STAGED_maggi_factor_mass] += 2 * columns(i, (int)n, width);
+      if (t->first[i] <= k) f[STAGED_maggi_factor_mass] += 2 * columns(i, (int)n, width);
   }
   f[STAGED_maggi_solve_mass] += 2 * n * (t->ncol - n) + 2 * n * (n - 1) + 3 * n;
   f[STAGED_maggi_drives] += (2L * t->ncol + 2) * t->nguide;
