@@ -18,6 +18,8 @@ enum {
 
 /* largest move of a coordinate in one iteration of assembly [rad or m] */
 static const double assembly_step = 0.5;
+/* pivots below which a position is close to singular: loops are kept closed to round-off there */
+static const double singular_below = 0.05;
 
 static void newton_step(maggi_data *d)
 {
@@ -54,13 +56,18 @@ static void remember(maggi_data *d)
   memcpy(d->q1, d->q, (size_t)d->t.nq * sizeof(double));
 }
 
+static const char *loop_word(const maggi_data *d, int loop)
+{
+  return strcmp(d->m->loop[loop].kind, "rod") == 0 ? "rod" : "loop";
+}
+
 static maggi_status fail_assembly(maggi_data *d, double violation)
 {
   int loop = maggi_worst_loop(d);
 
-  return maggi_data_fail(
-      d, MAGGI_E_ASSEMBLY, "%s \"%s\" cannot be closed in the initial position: %.3g remain open",
-      strcmp(d->m->loop[loop].kind, "rod") == 0 ? "rod" : "loop", d->m->loop[loop].name, violation);
+  return maggi_data_fail(d, MAGGI_E_ASSEMBLY,
+                         "%s \"%s\" cannot be closed in the initial position: %.3g remain open",
+                         loop_word(d, loop), d->m->loop[loop].name, violation);
 }
 
 /* round-off of the loop equations, with lengths of the model as the scale */
@@ -205,7 +212,6 @@ static void settle(maggi_data *d, double time)
     memcpy(d->q, d->dus, (size_t)t->nq * sizeof(double));
     maggi_evaluate_positions(d, time);
   }
-  maggi_evaluate_factors(d);
 }
 
 static const char *coordinate_name(const maggi_data *d, int q)
@@ -273,9 +279,7 @@ static double opening_rate(const maggi_data *d, int *loop)
   for (i = 0; i < t->nprim; ++i) {
     for (k = 0; k < 3; ++k) rate[k] = 0.0;
     for (c = t->pathadr[t->primloop[i]]; c < t->pathadr[t->primloop[i] + 1]; ++c) {
-      maggi_prim_entry(t->primkind[i], t->pathside[c], d->prim0[i], d->b[t->qbody[t->pathq[c]]],
-                       d->r[t->primpa[i]], d->r[t->primpb[i]], d->dir[t->primda[i]],
-                       d->dir[t->primdb[i]], e);
+      maggi_path_entry(d, i, c, e);
       for (k = 0; k < maggi_prim_rows(t->primkind[i]); ++k) rate[k] += e[k] * d->v[t->pathq[c]];
     }
     for (k = 0; k < 3; ++k) {
@@ -311,7 +315,7 @@ static maggi_status complete(maggi_data *d, double time)
   d->time = time;
   d->work = 0.0;
   d->changes = d->projections = d->evaluations = 0;
-  d->replan_below = 0.2;
+  d->replan_below = MAGGI_RENEW_BELOW;
   d->is_ahead = 0;
   d->careless = 0;
   maggi_evaluate(d, time);
@@ -322,16 +326,22 @@ static maggi_status complete(maggi_data *d, double time)
   return status;
 }
 
+/* forget what was, constants from p */
+static maggi_status begin(maggi_data *d)
+{
+  d->ready = 0;
+  d->message[0] = '\0';
+  maggi_constants(d);
+  return check_constants(d);
+}
+
 maggi_status maggi_data_reset(maggi_data *d)
 {
   const maggi_model *m = d->m;
   maggi_status status;
   int i, q;
 
-  d->ready = 0;
-  d->message[0] = '\0';
-  maggi_constants(d);
-  status = check_constants(d);
+  status = begin(d);
   if (status != MAGGI_OK) return status;
   for (i = 0; i < d->t.nq; ++i)
     if (m->initial_position[i] >= 0) d->q[i] = d->p[m->initial_position[i]];
@@ -355,12 +365,9 @@ maggi_status maggi_data_set_state(maggi_data *d, double t, const double *q, cons
   maggi_status status;
   int i;
 
-  d->ready = 0;
-  d->message[0] = '\0';
-  if (!isfinite(t)) return maggi_data_fail(d, MAGGI_E_VALUE, "the time must be finite");
-  maggi_constants(d);
-  status = check_constants(d);
+  status = begin(d);
   if (status != MAGGI_OK) return status;
+  if (!isfinite(t)) return maggi_data_fail(d, MAGGI_E_VALUE, "the time must be finite");
   for (i = 0; i < m->ncoordinate; ++i) {
     if (!isfinite(q[i]) || !isfinite(v[i]))
       return maggi_data_fail(d, MAGGI_E_VALUE, "the state of \"%s\" must be finite",
@@ -385,19 +392,15 @@ static maggi_status fail_lockup(maggi_data *d, double time)
   return maggi_data_fail(d, MAGGI_E_LOCKUP,
                          "t = %.6g s: the mechanism locks up, or the step is too large for it: %s "
                          "\"%s\" cannot stay closed",
-                         time, strcmp(d->m->loop[loop].kind, "rod") == 0 ? "rod" : "loop",
-                         d->m->loop[loop].name);
+                         time, loop_word(d, loop), d->m->loop[loop].name);
 }
-
-/* close to a singular position the loops are kept closed to round-off */
-static const double singular_below = 0.05;
 
 /* Newton on the positions when the loops are open by more than the tolerance; the positions of `time`
  * are evaluated before and after. */
 maggi_status maggi_project(maggi_data *d, double time)
 {
-  double violation, before, tolerance;
-  int i, dep;
+  double violation, before, tolerance = d->pivot_ratio < singular_below ? 0.0 : d->tolerance;
+  int i;
 
   maggi_evaluate_positions(d, time);
   violation = maggi_violation(d);
@@ -405,11 +408,11 @@ maggi_status maggi_project(maggi_data *d, double time)
     return maggi_data_fail(d, MAGGI_E_NOT_FINITE,
                            "t = %.6g s: the positions are not finite; is the step too large?",
                            time);
-  tolerance = fmax(d->pivot_ratio < singular_below ? 0.0 : d->tolerance, roundoff(d));
+  if (violation <= tolerance) return MAGGI_OK;
+  tolerance = fmax(tolerance, roundoff(d));
   for (i = 0; violation > tolerance; ++i) {
     if (i == PROJECTION_ITERATIONS) return fail_lockup(d, time);
     maggi_evaluate_factors(d);
-    maggi_smallest_pivot(d, &d->stage_ratio, &dep);
     if (maggi_is_singular(d)) break;
     newton_step(d);
     ++d->projections;

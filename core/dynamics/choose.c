@@ -100,9 +100,7 @@ static double fill_matrix(maggi_data *d, int loop, int n, double size, int *rows
     for (i = t->pathadr[loop]; i < t->pathadr[loop + 1]; ++i) {
       q = t->pathq[i];
       if (t->qguide[q] >= 0) continue;
-      maggi_prim_entry(t->primkind[prim], t->pathside[i], d->prim0[prim], d->b[t->qbody[q]],
-                       d->r[t->primpa[prim]], d->r[t->primpb[prim]], d->dir[t->primda[prim]],
-                       d->dir[t->primdb[prim]], e);
+      maggi_path_entry(d, prim, i, e);
       scale = fmax(scale, natural_size(d, prim, t->pathside[i], q, size));
       for (k = 0; k < nrow; ++k) {
         m = pl->matrix + (size_t)(t->primrow[prim] - first + k) * (size_t)n;

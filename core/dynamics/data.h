@@ -95,12 +95,16 @@
   X(Ur, ncol * t->stride, "its factor")
 
 #define MAGGI_RANK_TOLERANCE 1e-8
+/* pivots of the loops relative to those at the choice of the independent coordinates, below which a
+ * better choice is looked for */
+#define MAGGI_RENEW_BELOW 0.2
 
 typedef struct maggi_planner maggi_planner;
 
-/* a point of the integration; its vectors are in the lists above */
+/* a point of the integration: positions, velocities, accelerations of coordinates in the lists above */
 typedef struct maggi_node {
   double time, work, power;
+  double *q, *v, *a;
 } maggi_node;
 
 struct maggi_data {
@@ -155,8 +159,7 @@ maggi_status maggi_plan_renew(maggi_data *d, int *changed);
 /* evaluate.c */
 void maggi_constants(maggi_data *d);
 void maggi_evaluate_positions(maggi_data *d, double time);
-void maggi_evaluate_factors(maggi_data *d);
-void maggi_evaluate_velocities(maggi_data *d);
+void maggi_evaluate_factors(maggi_data *d); /* of the loops, and how near they are to singular */
 void maggi_evaluate(maggi_data *d, double time);       /* all, from q and vcol */
 void maggi_evaluate_given(maggi_data *d, double time); /* what results need, from q, v and a */
 int maggi_is_singular(const maggi_data *d);  /* whether the last evaluation cannot be trusted */
@@ -164,6 +167,8 @@ void maggi_results(maggi_data *d);           /* what is computed only on demand 
 double maggi_violation(const maggi_data *d); /* largest |Phi|, NAN if one is */
 double maggi_smallest_pivot(const maggi_data *d, double *ratio, int *dep);
 int maggi_worst_loop(const maggi_data *d);
+/* column of Phi_z of entry i of the path of a building block's loop */
+void maggi_path_entry(const maggi_data *d, int prim, int i, double e[3]);
 
 /* assemble.c */
 maggi_status maggi_project(maggi_data *d, double time);

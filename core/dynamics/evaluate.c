@@ -35,12 +35,14 @@ void maggi_evaluate_positions(maggi_data *d, double time)
 void maggi_evaluate_factors(maggi_data *d)
 {
   const maggi_topo *t = &d->t;
+  int dep;
 
   maggi_loop_entries(t, d->prim0, ARRAY(d->r), ARRAY(d->dir), ARRAY(d->b), d->phi);
   maggi_island_factors(t, d->phi, d->chol);
+  maggi_smallest_pivot(d, &d->stage_ratio, &dep);
 }
 
-void maggi_evaluate_velocities(maggi_data *d)
+static void move(maggi_data *d)
 {
   const maggi_topo *t = &d->t;
   int i;
@@ -94,12 +96,9 @@ static void accelerate(maggi_data *d)
 
 void maggi_evaluate(maggi_data *d, double time)
 {
-  int dep;
-
   maggi_evaluate_positions(d, time);
   maggi_evaluate_factors(d);
-  maggi_smallest_pivot(d, &d->stage_ratio, &dep);
-  maggi_evaluate_velocities(d);
+  move(d);
   accelerate(d);
   ++d->evaluations;
   d->fresh = 0;
@@ -108,14 +107,18 @@ void maggi_evaluate(maggi_data *d, double time)
 void maggi_evaluate_given(maggi_data *d, double time)
 {
   const maggi_topo *t = &d->t;
-  int i, dep;
+  int i, q;
 
   maggi_evaluate_positions(d, time);
   maggi_evaluate_factors(d);
-  maggi_smallest_pivot(d, &d->stage_ratio, &dep);
   for (i = 0; i < t->ncol; ++i) {
-    d->vcol[i] = d->v[t->colq[i]];
-    d->acol[i] = d->a[t->colq[i]];
+    q = t->colq[i];
+    if (i >= t->nind) {
+      d->v[q] = d->fun[t->qguide[q]][1];
+      d->a[q] = d->fun[t->qguide[q]][2];
+    }
+    d->vcol[i] = d->v[q];
+    d->acol[i] = d->a[q];
   }
   maggi_velocities(t, d->p, ARRAY(d->b), d->v, d->Z, d->Z0);
   maggi_point_velocities(t, 0, t->npointdyn, ARRAY(d->r), ARRAY(d->Z), d->rv);
@@ -197,6 +200,15 @@ double maggi_smallest_pivot(const maggi_data *d, double *ratio, int *dep)
   }
   *ratio = t->ndep > 0 ? 1.0 / worst : 1.0;
   return 1.0 / largest;
+}
+
+void maggi_path_entry(const maggi_data *d, int prim, int i, double e[3])
+{
+  const maggi_topo *t = &d->t;
+
+  maggi_prim_entry(t->primkind[prim], t->pathside[i], d->prim0[prim], d->b[t->qbody[t->pathq[i]]],
+                   d->r[t->primpa[prim]], d->r[t->primpb[prim]], d->dir[t->primda[prim]],
+                   d->dir[t->primdb[prim]], e);
 }
 
 /* loop with the largest residual */

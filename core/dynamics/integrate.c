@@ -16,10 +16,6 @@
 
 #include "data.h"
 
-/* pivots of the loops relative to those at the choice of the independent coordinates, below which a
- * better choice is looked for */
-static const double renew_below = 0.2;
-
 /* ways around a singular position: first part of a step in two, then how far to go beyond its end */
 static const double first_part[] = {0.6180339887, 0.3819660113, 0.8, 0.2};
 static const double beyond[] = {0.13, 0.21, 0.34, 0.55, 0.77, 1.0,  1.3,  1.7,  2.2,  3.0,
@@ -35,35 +31,37 @@ static size_t bytes(const maggi_data *d)
   return (size_t)d->t.nq * sizeof(double);
 }
 
-/* the present evaluation becomes the start of a step */
-static void save_start(maggi_data *d, double time)
+static void copy_node(const maggi_data *d, maggi_node *to, const maggi_node *from)
 {
-  memcpy(d->q0, d->q, bytes(d));
-  memcpy(d->v0, d->v, bytes(d));
-  memcpy(d->a0, d->a, bytes(d));
-  d->start.time = time;
-  d->start.work = d->work;
-  d->start.power = d->power[0];
+  memcpy(to->q, from->q, bytes(d));
+  memcpy(to->v, from->v, bytes(d));
+  memcpy(to->a, from->a, bytes(d));
+  to->time = from->time;
+  to->work = from->work;
+  to->power = from->power;
 }
 
-static void save_node(maggi_data *d)
+/* the present evaluation */
+static maggi_node present(const maggi_data *d)
 {
-  memcpy(d->qn, d->q, bytes(d));
-  memcpy(d->vn, d->v, bytes(d));
-  memcpy(d->an, d->a, bytes(d));
-  d->node.time = d->time;
-  d->node.work = d->work;
-  d->node.power = d->power[0];
+  return (maggi_node){d->time, d->work, d->power[0], d->q, d->v, d->a};
+}
+
+static void save(maggi_data *d, maggi_node *node)
+{
+  maggi_node now = present(d);
+
+  copy_node(d, node, &now);
 }
 
 static void load_node(maggi_data *d)
 {
-  memcpy(d->q, d->qn, bytes(d));
-  memcpy(d->v, d->vn, bytes(d));
-  memcpy(d->a, d->an, bytes(d));
-  d->time = d->node.time;
-  d->work = d->node.work;
-  d->power[0] = d->node.power;
+  maggi_node now = present(d);
+
+  copy_node(d, &now, &d->node);
+  d->time = now.time;
+  d->work = now.work;
+  d->power[0] = now.power;
   d->is_ahead = 0;
 }
 
@@ -103,7 +101,7 @@ static maggi_status renew(maggi_data *d, double time)
   if (status != MAGGI_OK) return status;
   for (i = 0; i < t->nind; ++i) d->vcol[i] = d->dqs[t->colq[i]];
   d->changes += changed;
-  d->replan_below = changed ? renew_below : 0.5 * d->pivot_ratio;
+  d->replan_below = changed ? MAGGI_RENEW_BELOW : 0.5 * d->pivot_ratio;
   maggi_evaluate(d, time);
   return MAGGI_OK;
 }
@@ -136,7 +134,7 @@ static int advance(maggi_data *d, double h, int careful)
   status = finish_stage(d, careful);
   if (status != MAGGI_OK) return status;
   d->pivot_ratio = d->stage_ratio;
-  if (d->pivot_ratio > 2.0 * renew_below) d->replan_below = renew_below;
+  if (d->pivot_ratio > 2.0 * MAGGI_RENEW_BELOW) d->replan_below = MAGGI_RENEW_BELOW;
   if (t->ndep > 0 && d->pivot_ratio < d->replan_below) {
     status = renew(d, time + h);
     if (status != MAGGI_OK) return status;
@@ -155,7 +153,7 @@ static void interpolate(maggi_data *d, double time)
   const maggi_topo *t = &d->t;
   double H = d->node.time - d->start.time, s = (time - d->start.time) / H;
   double dq, c3, c4, c5, e0, e1, e2;
-  int i, f;
+  int i;
 
   for (i = 0; i < t->nq; ++i) {
     /* q = q0 + v0 H s + a0 H^2 s^2/2 + c3 s^3 + c4 s^4 + c5 s^5 */
@@ -171,12 +169,6 @@ static void interpolate(maggi_data *d, double time)
     d->v[i] = d->v0[i] + s * H * d->a0[i] + s * s * (3.0 * c3 + s * (4.0 * c4 + s * 5.0 * c5)) / H;
     d->a[i] = d->a0[i] + s * (6.0 * c3 + s * (12.0 * c4 + s * 20.0 * c5)) / (H * H);
   }
-  maggi_functions(t, d->p, (void *)d->spline0, time, d->fun);
-  for (i = t->nind; i < t->ncol; ++i) {
-    f = t->qguide[t->colq[i]];
-    d->v[t->colq[i]] = d->fun[f][1];
-    d->a[t->colq[i]] = d->fun[f][2];
-  }
   maggi_evaluate_given(d, time);
   e0 = d->node.work - d->start.work;
   e1 = H * d->start.power;
@@ -187,28 +179,20 @@ static void interpolate(maggi_data *d, double time)
   d->is_ahead = 1;
 }
 
-/* two parts that both keep away from the singular position */
+/* two parts that both keep away from the singular position; the node keeps the start meanwhile */
 static int advance_in_parts(maggi_data *d, double h)
 {
-  maggi_node start = d->start;
   int status = SINGULAR;
   size_t i;
 
-  memcpy(d->qn, d->q0, bytes(d));
-  memcpy(d->vn, d->v0, bytes(d));
-  memcpy(d->an, d->a0, bytes(d));
+  copy_node(d, &d->node, &d->start);
   for (i = 0; i < sizeof first_part / sizeof *first_part && status == SINGULAR; ++i) {
     status = advance(d, first_part[i] * h, 1);
     if (status == MAGGI_OK) {
-      save_start(d, d->time);
-      status = advance(d, start.time + h - d->start.time, 1);
+      save(d, &d->start);
+      status = advance(d, d->node.time + h - d->start.time, 1);
     }
-    if (status == SINGULAR) {
-      memcpy(d->q0, d->qn, bytes(d));
-      memcpy(d->v0, d->vn, bytes(d));
-      memcpy(d->a0, d->an, bytes(d));
-      d->start = start;
-    }
+    if (status == SINGULAR) copy_node(d, &d->start, &d->node);
   }
   return status;
 }
@@ -222,7 +206,7 @@ static int advance_beyond(maggi_data *d, double h)
   for (i = 0; i < sizeof beyond / sizeof *beyond && status == SINGULAR; ++i)
     status = advance(d, (1.0 + beyond[i]) * h, 1);
   if (status == MAGGI_OK) {
-    save_node(d);
+    save(d, &d->node);
     interpolate(d, time);
   }
   return status;
@@ -246,7 +230,7 @@ maggi_status maggi_step(maggi_data *d, double h)
     load_node(d);
   }
   d->ready = 0;
-  save_start(d, d->time);
+  save(d, &d->start);
   rest = time - d->time;
   d->careless -= d->careless > 0;
   status = advance(d, rest, d->careless == 0);

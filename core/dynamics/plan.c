@@ -1,8 +1,6 @@
 /* From islands to the lists that the kernel follows. */
 #include "plan.h"
 
-#include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* ------------------------------------------------------------------------------------ columns */

@@ -1,6 +1,5 @@
 /* Functions of time, springs, loads and sensors. */
 #include <math.h>
-#include <stdio.h>
 
 #include "compile.h"
 

@@ -1,6 +1,5 @@
 /* Loops and rods: building blocks, paths through the tree, entries of the mass matrix. */
 #include <math.h>
-#include <string.h>
 
 #include "compile.h"
 #include "kernel.h"

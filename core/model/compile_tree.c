@@ -1,7 +1,6 @@
 /* The tree: bodies in the order of the file become chains of one-DOF joints, numbered from the leaves
  * to the root so that a subtree is a range of numbers. */
 #include <stdio.h>
-#include <string.h>
 
 #include "compile.h"
 

@@ -2,7 +2,6 @@
  * yz plane.  Vertical bars v_R_C hang from the verticals above, the first row from the ground;
  * horizontal bars h_R_C hang from the foot of the left vertical and are cut by a revolute at the foot
  * of the right one. */
-#include <math.h>
 #include <stdio.h>
 
 #include "maggi/maggi.h"

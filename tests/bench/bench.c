@@ -353,28 +353,30 @@ static void print_scaling(const options *o, const char *suite, int n, int by_wid
   printf("\n\n");
 }
 
+/* n cases that `format` makes of the sizes */
+static void scale(const options *o, const char *title, const char *id, const char *format,
+                  const int *sizes, int n, int by_width)
+{
+  char names[MODELS_MAX][CASE_NAME];
+  int i;
+
+  for (i = 0; i < n; ++i)
+    snprintf(names[i], CASE_NAME, format, sizes[i]);
+  heading(o, title);
+  n = measure(n, names, SAMPLES / 2);
+  print_scaling(o, id, n, by_width);
+  close_cases(n);
+}
+
 static void suite_scaling(const options *o)
 {
   static const int ny[] = {1, 2, 4, 7, 10, 15, 22, 33, 50, 70, 100};
   static const int nz[] = {1, 2, 4, 7, 10, 15, 22, 30, 40, 50, 60};
-  char names[MODELS_MAX][CASE_NAME];
-  int i, n;
 
-  n = sizeof ny / sizeof ny[0];
-  for (i = 0; i < n; ++i)
-    snprintf(names[i], CASE_NAME, "multiple-four-bar:%dx15", ny[i]);
-  heading(o, "Cost against the number of four-bars side by side");
-  n = measure(n, names, SAMPLES / 2);
-  print_scaling(o, "scaling-ny", n, 1);
-  close_cases(n);
-
-  n = sizeof nz / sizeof nz[0];
-  for (i = 0; i < n; ++i)
-    snprintf(names[i], CASE_NAME, "multiple-four-bar:1x%d", nz[i]);
-  heading(o, "Cost against the number of rows, each with a degree of freedom");
-  n = measure(n, names, SAMPLES / 2);
-  print_scaling(o, "scaling-nz", n, 0);
-  close_cases(n);
+  scale(o, "Cost against the number of four-bars side by side", "scaling-ny",
+        "multiple-four-bar:%dx15", ny, sizeof ny / sizeof ny[0], 1);
+  scale(o, "Cost against the number of rows, each with a degree of freedom", "scaling-nz",
+        "multiple-four-bar:1x%d", nz, sizeof nz / sizeof nz[0], 0);
 }
 
 /* CPU time where the error falls below `error_at`, on the straight line in logarithms */

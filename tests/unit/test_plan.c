@@ -227,8 +227,7 @@ static void test_ranks(void)
   }
 }
 
-/* ------------------------------------------------------------------------------------ dead points
- * */
+/* ------------------------------------------------------------------------------- dead points */
 
 static maggi_model *slider_crank(const char *crank, const char *slider)
 {
@@ -245,6 +244,19 @@ static maggi_model *slider_crank(const char *crank, const char *slider)
       crank, sqrt(1.0 - 0.09), slider, sqrt(1.0 - 0.09));
 }
 
+/* three coordinates of d are those of e; they are returned */
+static test_state check_same(const maggi_data *d, const maggi_data *e)
+{
+  test_state s = test_get(d), r = test_get(e);
+  int k;
+
+  for (k = 0; k < 3; ++k) {
+    CHECK_NEAR(s.q[k], r.q[k], 0.0, 1e-6);
+    CHECK_NEAR(s.v[k], r.v[k], 0.0, 1e-5);
+  }
+  return s;
+}
+
 /* the slider leads, over several turns of the crank: at each dead point the crank has to take over.
  * The motion is that of the same mechanism led by its crank with a fine step, and the slider stays
  * where the rod's branch puts it. */
@@ -252,10 +264,10 @@ static void test_slider_crank(void)
 {
   maggi_model *m = slider_crank("", ", velocity: 1.2"), *fine;
   maggi_data *d = test_start(m), *e;
-  test_state s, r;
+  test_state s;
   char velocity[64];
   double theta, x0 = sqrt(0.91), turned = 0.0;
-  int i, k;
+  int i;
 
   CHECK(maggi_coordinate_is_independent(d, 2) && !maggi_coordinate_is_independent(d, 0));
   CHECK(test_get(d).v[2] == 1.2);
@@ -266,12 +278,7 @@ static void test_slider_crank(void)
   for (i = 0; i < 400; ++i) {
     test_step(d, 1e-3, 10);
     test_step(e, 2e-4, 50);
-    s = test_get(d);
-    r = test_get(e);
-    for (k = 0; k < 3; ++k) {
-      CHECK_NEAR(s.q[k], r.q[k], 0.0, 1e-6);
-      CHECK_NEAR(s.v[k], r.v[k], 0.0, 1e-5);
-    }
+    s = check_same(d, e);
     theta = acos(0.0) + s.q[0];
     CHECK_NEAR(s.q[2] + x0, 0.3 * cos(theta) + sqrt(1.0 - pow(0.3 * sin(theta), 2)), 0.0, 1e-9);
     CHECK(s.v[0] < 0.0); /* the crank never turns back */
@@ -307,10 +314,10 @@ static void test_quick_return(void)
 {
   maggi_model *m = quick_return("", ", velocity: -0.5"), *fine;
   maggi_data *d = test_start(m), *e;
-  test_state s, r;
+  test_state s;
   char velocity[64];
   double theta;
-  int i, k, back = 0;
+  int i, back = 0;
 
   CHECK(maggi_coordinate_is_independent(d, 0));
   snprintf(velocity, sizeof velocity, ", velocity: %.17g", test_get(d).v[2]);
@@ -319,12 +326,7 @@ static void test_quick_return(void)
   for (i = 0; i < 400; ++i) {
     test_step(d, 1e-3, 20);
     test_step(e, 2e-4, 100);
-    s = test_get(d);
-    r = test_get(e);
-    for (k = 0; k < 3; ++k) {
-      CHECK_NEAR(s.q[k], r.q[k], 0.0, 1e-6);
-      CHECK_NEAR(s.v[k], r.v[k], 0.0, 1e-5);
-    }
+    s = check_same(d, e);
     theta = s.q[2]; /* pin at (0.4 cos, 1 + 0.4 sin); block on the ray from the origin, in front */
     CHECK_NEAR(hypot(0.4, 1.0) + s.q[1], hypot(0.4 * cos(theta), 1.0 + 0.4 * sin(theta)), 0.0,
                1e-9);
