@@ -120,6 +120,7 @@ maggi_status maggi_data_fit(maggi_data *d)
   for (i = 0; i < t->ncol; ++i) d->R[t->colq[i] * t->stride + i] = 1.0;
   memset(d->ab, 0, (size_t)t->nq * sizeof(double));
   memset(d->dq, 0, (size_t)t->nq * sizeof(double));
+  ++d->plans;
   return MAGGI_OK;
 }
 
@@ -131,17 +132,13 @@ const char *maggi_data_message(const maggi_data *d)
 maggi_status maggi_data_set_parameter(maggi_data *d, int index, double value)
 {
   const maggi_parameter *p;
+  const char *wrong;
 
   if (index < 0 || index >= d->m->nparameter)
     return maggi_data_fail(d, MAGGI_E_NAME, "no parameter has the index %d", index);
   p = &d->m->parameter[index];
-  if (!isfinite(value)) return maggi_data_fail(d, MAGGI_E_VALUE, "%s must be finite", p->path);
-  if (p->bound == MAGGI_BOUND_NOT_NEGATIVE && value < 0.0)
-    return maggi_data_fail(d, MAGGI_E_VALUE, "%s must not be negative (%g)", p->path, value);
-  if (p->bound == MAGGI_BOUND_NOT_POSITIVE && value > 0.0)
-    return maggi_data_fail(d, MAGGI_E_VALUE, "%s must not be positive (%g)", p->path, value);
-  if (p->bound == MAGGI_BOUND_POSITIVE && value <= 0.0)
-    return maggi_data_fail(d, MAGGI_E_VALUE, "%s must be positive (%g)", p->path, value);
+  wrong = maggi_parameter_wrong(p, value);
+  if (wrong) return maggi_data_fail(d, MAGGI_E_VALUE, "%s %s (%g)", p->path, wrong, value);
   d->p[index] = value;
   if (p->bound == MAGGI_BOUND_INITIAL_POSITION)
     d->position_given[p->coordinate] = MAGGI_INITIAL_GIVEN;

@@ -18,6 +18,7 @@
   X(spline0, nspline, 3, "splines: second derivatives and elimination")                            \
   /* by maggi_evaluate */                                                                          \
   X(fun, nfun, 3, "functions of time: value, first and second derivative")                         \
+  X(turn, nbody, 2, "sine and cosine of the angle of a revolute joint")                            \
   X(A, nbody1, 9, "rotation of a body since the initial position")                                 \
   X(x, nbody1, 3, "joint point from P, global axes [m]")                                           \
   X(b, nbody, 6, "velocity of a body by its coordinate")                                           \
@@ -37,7 +38,7 @@
   X(FS, nbody1, 6, "F + Q of the whole subtree")                                                   \
   X(Fb, nq, 6, "IS b")                                                                             \
   X(rodjac, nrodjac, 3, "velocity of ends of rods by coordinates")                                 \
-  /* by maggi_results */                                                                           \
+  /* by maggi_balance and maggi_results */                                                         \
   X(Wa, nbody1, 6, "acceleration by those of all coordinates")                                     \
   X(Za, nbody1, 6, "acceleration less gravity")                                                    \
   X(ra, npoint, 3, "accelerations of points less gravity")                                         \
@@ -54,7 +55,9 @@
   X(a, nq, "accelerations")                                                                        \
   X(zero, nq, "zeros")                                                                             \
   X(res, nrow, "loop equations")                                                                   \
+  X(rate, nrow, "their first derivative")                                                          \
   X(gam, nrow, "their second derivative with joint accelerations zero, with a minus")              \
+  X(gama, nrow, "the same with joint accelerations as they are")                                   \
   X(y1, nrow, "right-hand sides of islands, one column")                                           \
   X(ab, nq, "dependent accelerations with independent ones zero")                                  \
   X(dq, nq, "correction of positions")                                                             \
@@ -68,7 +71,7 @@
   X(drive, nq, "torques and forces of guides by columns")                                          \
   X(space, nq16, "work space of solves")                                                           \
   X(w, nq, "forces not balanced by inertia")                                                       \
-  X(wd, nq, "the same less those of loops")                                                        \
+  X(mu, nq, "least multipliers of the loops, by dependent coordinates")                            \
   X(lambda, nrow, "multipliers")                                                                   \
   X(piv0, nq, "pivots of islands when the dependents were chosen")                                 \
   X(piv1, nq, "the same of the choice before")                                                     \
@@ -88,6 +91,7 @@
   X(chol, nchol, "factors of Phi_d^T Phi_d")                                                       \
   X(V, nvrow * 6 * t->stride, "velocities of bodies by columns")                                   \
   X(v1, nvrow * 6, "the same, one column")                                                         \
+  X(G1, nvrow * 6, "wrenches of multipliers on these")                                             \
   X(Y, nrow * t->stride, "right-hand sides of islands by columns")                                 \
   X(R, nq * t->stride, "R_z")                                                                      \
   X(MR, nq * t->stride, "M R_z, part")                                                             \
@@ -100,6 +104,9 @@
 #define MAGGI_RENEW_BELOW 0.2
 
 typedef struct maggi_planner maggi_planner;
+
+/* what has been computed of a state besides its evaluation: nothing; by maggi_balance; all results */
+enum { MAGGI_STALE, MAGGI_BALANCED, MAGGI_FRESH };
 
 /* a point of the integration: positions, velocities, accelerations of coordinates in the lists above */
 typedef struct maggi_node {
@@ -126,7 +133,8 @@ struct maggi_data {
   int careless;        /* steps still taken without care at singular positions */
   double replan_below; /* pivot ratio at which a better choice is looked for */
   int ready;           /* after a successful reset */
-  int fresh;           /* results of this state computed */
+  int fresh;           /* MAGGI_STALE, .. */
+  long plans;          /* choices of coordinates so far */
   long changes, projections, evaluations;
   int *position_given, *velocity_given; /* (nq) */
 #define X(name, rows, cols, text) double(*name)[cols];
@@ -163,6 +171,8 @@ void maggi_evaluate_factors(maggi_data *d); /* of the loops, and how near they a
 void maggi_evaluate(maggi_data *d, double time);       /* all, from q and vcol */
 void maggi_evaluate_given(maggi_data *d, double time); /* what results need, from q, v and a */
 int maggi_is_singular(const maggi_data *d);  /* whether the last evaluation cannot be trusted */
+void maggi_balance(maggi_data *d);           /* accelerations of bodies, forces, multipliers */
+void maggi_remainders(maggi_data *d);        /* of the loop equations; after maggi_balance */
 void maggi_results(maggi_data *d);           /* what is computed only on demand */
 double maggi_violation(const maggi_data *d); /* largest |Phi|, NAN if one is */
 double maggi_smallest_pivot(const maggi_data *d, double *ratio, int *dep);

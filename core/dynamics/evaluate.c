@@ -26,7 +26,7 @@ void maggi_evaluate_positions(maggi_data *d, double time)
   maggi_functions(t, d->p, ARRAY(d->spline0), time, d->fun);
   for (i = 0; i < t->nq; ++i)
     if (t->qguide[i] >= 0) d->q[i] = d->fun[t->qguide[i]][0];
-  maggi_positions(t, ARRAY(d->offset0), ARRAY(d->axis0), d->q, d->A, d->x, d->b);
+  maggi_positions(t, ARRAY(d->offset0), ARRAY(d->axis0), d->q, d->turn, d->A, d->x, d->b);
   maggi_points(t, 0, t->npointdyn, ARRAY(d->point0), ARRAY(d->A), ARRAY(d->x), d->r);
   maggi_directions(t, ARRAY(d->dir0), ARRAY(d->A), d->dir);
   maggi_loop_residual(t, d->prim0, ARRAY(d->r), ARRAY(d->dir), d->res);
@@ -83,7 +83,8 @@ static void accelerate(maggi_data *d)
   maggi_composite_inertias(t, d->p, ARRAY(d->r), ARRAY(d->I), d->IS);
   maggi_mass_matrix(t, d->p, ARRAY(d->b), ARRAY(d->r), ARRAY(d->IS), d->Fb, d->rodjac, d->M);
   maggi_reduced_mass(t, d->M, d->R, d->MR, d->Mr);
-  maggi_reduced_force(t, ARRAY(d->b), ARRAY(d->FS), d->tau, d->R, d->f, d->fr);
+  maggi_generalised_forces(t, ARRAY(d->b), ARRAY(d->FS), d->tau, d->f);
+  maggi_reduced_force(t, d->f, d->R, d->fr);
   for (i = t->nind; i < t->ncol; ++i) d->acol[i] = d->fun[t->qguide[t->colq[i]]][2];
   maggi_factor_mass(t, d->Mr, d->Ur, d->dinv);
   maggi_solve_mass(t, d->Mr, d->fr, d->Ur, d->dinv, d->acol);
@@ -101,7 +102,7 @@ void maggi_evaluate(maggi_data *d, double time)
   move(d);
   accelerate(d);
   ++d->evaluations;
-  d->fresh = 0;
+  d->fresh = MAGGI_STALE;
 }
 
 void maggi_evaluate_given(maggi_data *d, double time)
@@ -125,7 +126,7 @@ void maggi_evaluate_given(maggi_data *d, double time)
   maggi_element_forces(t, d->p, ARRAY(d->fun), d->spring0, d->q, d->v, ARRAY(d->A), ARRAY(d->Z),
                        ARRAY(d->r), ARRAY(d->rv), d->Q, d->tau, d->power);
   maggi_body_inertias(t, ARRAY(d->body0), ARRAY(d->A), ARRAY(d->x), d->I);
-  d->fresh = 0;
+  d->fresh = MAGGI_STALE;
 }
 
 /* Where a loop loses rank its Jacobian cannot tell the dependent velocities: a loop that is open by
@@ -133,32 +134,56 @@ void maggi_evaluate_given(maggi_data *d, double time)
  * best.  Measured by pivots relative to those at the choice of the independent coordinates. */
 int maggi_is_singular(const maggi_data *d)
 {
-  return !(d->stage_ratio > 6e-4);
+  return !(MAGGI_RE(d->stage_ratio) > 6e-4);
+}
+
+/* Accelerations of bodies as they are, and the forces that go with them: inertia, elements, rods and
+ * loops are in balance but for the drives of guided coordinates. */
+void maggi_balance(maggi_data *d)
+{
+  const maggi_topo *t = &d->t;
+
+  if (d->fresh != MAGGI_STALE) return;
+  maggi_accelerations(t, ARRAY(d->b), ARRAY(d->Z0), d->a, d->Wa, d->Za);
+  maggi_point_accelerations(t, 0, t->npointdyn, ARRAY(d->r), ARRAY(d->rv), ARRAY(d->Z),
+                            ARRAY(d->Za), d->ra);
+  maggi_inertia_forces(t, ARRAY(d->I), ARRAY(d->Z), ARRAY(d->Za), d->Fr);
+  maggi_rod_forces(t, d->p, ARRAY(d->r), ARRAY(d->ra), d->Fr);
+  maggi_accumulate(t, ARRAY(d->Fr), ARRAY(d->Q), d->FSr);
+  if (t->nrow > 0) {
+    maggi_generalised_forces(t, ARRAY(d->b), ARRAY(d->FSr), d->tau, d->w);
+    maggi_loop_multipliers(t, d->prim0, ARRAY(d->r), ARRAY(d->dir), ARRAY(d->b), d->phi, d->chol,
+                           d->w, d->G1, d->y1, d->mu, d->lambda, d->space);
+    maggi_loop_forces(t, d->prim0, ARRAY(d->r), ARRAY(d->dir), d->lambda, d->Fr);
+    maggi_accumulate(t, ARRAY(d->Fr), ARRAY(d->Q), d->FSr);
+  }
+  d->fresh = MAGGI_BALANCED;
 }
 
 void maggi_results(maggi_data *d)
 {
   const maggi_topo *t = &d->t;
-  int i;
 
-  if (d->fresh) return;
+  if (d->fresh == MAGGI_FRESH) return;
+  maggi_balance(d);
   maggi_points(t, t->npointdyn, t->npoint, ARRAY(d->point0), ARRAY(d->A), ARRAY(d->x), d->r);
   maggi_point_velocities(t, t->npointdyn, t->npoint, ARRAY(d->r), ARRAY(d->Z), d->rv);
-  maggi_accelerations(t, ARRAY(d->b), ARRAY(d->Z0), d->a, d->Wa, d->Za);
-  maggi_point_accelerations(t, 0, t->npoint, ARRAY(d->r), ARRAY(d->rv), ARRAY(d->Z), ARRAY(d->Za),
-                            d->ra);
+  maggi_point_accelerations(t, t->npointdyn, t->npoint, ARRAY(d->r), ARRAY(d->rv), ARRAY(d->Z),
+                            ARRAY(d->Za), d->ra);
   maggi_sensors(t, d->p, d->origin, ARRAY(d->A), ARRAY(d->x), ARRAY(d->r), ARRAY(d->rv),
                 ARRAY(d->ra), d->sensor);
-  maggi_inertia_forces(t, ARRAY(d->I), ARRAY(d->Z), ARRAY(d->Za), d->Fr);
-  maggi_rod_forces(t, d->p, ARRAY(d->r), ARRAY(d->ra), d->Fr);
-  maggi_accumulate(t, ARRAY(d->Fr), ARRAY(d->Q), d->FSr);
-  for (i = 0; i < t->nq; ++i)
-    d->w[i] = maggi_dot6(d->b[t->qbody[i]], d->FSr[t->qbody[i]]) + d->tau[i];
-  maggi_loop_multipliers(t, d->prim0, ARRAY(d->r), ARRAY(d->dir), ARRAY(d->b), d->phi, d->chol,
-                         d->w, d->wd, d->lambda);
-  maggi_loop_forces(t, d->prim0, ARRAY(d->r), ARRAY(d->dir), d->lambda, d->Fr);
-  maggi_accumulate(t, ARRAY(d->Fr), ARRAY(d->Q), d->FSr);
-  d->fresh = 1;
+  d->fresh = MAGGI_FRESH;
+}
+
+/* Rates and accelerations solve the loop equations by least squares: what is left of these where
+ * loops have more equations than dependent coordinates; round-off where they are closed. */
+void maggi_remainders(maggi_data *d)
+{
+  const maggi_topo *t = &d->t;
+
+  maggi_loop_rates(t, d->prim0, ARRAY(d->r), ARRAY(d->dir), ARRAY(d->rv), ARRAY(d->Z), d->rate);
+  maggi_loop_gamma(t, d->prim0, ARRAY(d->r), ARRAY(d->dir), ARRAY(d->rv), ARRAY(d->ra), ARRAY(d->Z),
+                   ARRAY(d->Za), d->gama);
 }
 
 double maggi_violation(const maggi_data *d)
@@ -168,7 +193,7 @@ double maggi_violation(const maggi_data *d)
 
   for (i = 0; i < d->t.nrow; ++i) {
     if (isnan(d->res[i])) return NAN;
-    if (fabs(d->res[i]) > largest) largest = fabs(d->res[i]);
+    if (MAGGI_RE(fabs(d->res[i])) > MAGGI_RE(largest)) largest = fabs(d->res[i]);
   }
   return largest;
 }
@@ -190,9 +215,9 @@ double maggi_smallest_pivot(const maggi_data *d, double *ratio, int *dep)
         *ratio = NAN;
         return NAN;
       }
-      largest = inverse > largest ? inverse : largest;
+      largest = MAGGI_RE(inverse) > MAGGI_RE(largest) ? inverse : largest;
       inverse *= d->piv0[t->isldep[k] + i];
-      if (inverse > worst) {
+      if (MAGGI_RE(inverse) > MAGGI_RE(worst)) {
         worst = inverse;
         *dep = t->isldep[k] + i;
       }
@@ -219,7 +244,7 @@ int maggi_worst_loop(const maggi_data *d)
 
   for (i = 0; i < d->m->nloop; ++i) {
     for (k = d->m->loop[i].row; k < d->m->loop[i].row + d->m->loop[i].rows; ++k) {
-      if (!(fabs(d->res[k]) <= largest)) {
+      if (!(MAGGI_RE(fabs(d->res[k])) <= MAGGI_RE(largest))) {
         largest = fabs(d->res[k]);
         worst = i;
       }

@@ -57,7 +57,7 @@ static void carry(const double n[3], const double m[3], const double v[3], doubl
 
 static void direction(int np, const double p[np], int kind, int adr, int aux, int lean, double u[3])
 {
-  double a[3], n[3], m[3], w[3], c[3];
+  double a[3], e[3], n[3], m[3], w[3], c[3];
 
   if (kind == MAGGI_DIR_GLOBAL) {
     global_axis(adr, u);
@@ -69,8 +69,8 @@ static void direction(int np, const double p[np], int kind, int adr, int aux, in
     normalise(a, n);
     global_axis(lean, w);
     across(w, n, c);
-    fetch(np, p, adr, a);
-    normalise(a, m);
+    fetch(np, p, adr, e);
+    normalise(e, m);
     carry(n, m, c, u);
   } else {
     fetch(np, p, adr, a);

@@ -25,14 +25,14 @@ static void pull(double f, const double u[3], const double ra[3], const double r
                  double Fb[6])
 {
   int k;
-  double fa[3], fb[3];
+  double force[3], back[3];
 
   for (k = 0; k < 3; ++k) {
-    fb[k] = f * u[k];
-    fa[k] = -f * u[k];
+    force[k] = f * u[k];
+    back[k] = -f * u[k];
   }
-  maggi_wrench_add(fa, ra, Fa);
-  maggi_wrench_add(fb, rb, Fb);
+  maggi_wrench_add(back, ra, Fa);
+  maggi_wrench_add(force, rb, Fb);
 }
 
 /* u from b to a; elastic and damping force, tension positive */
@@ -41,27 +41,32 @@ static void spring(int adr, int preload, int withslopes, int np, const double p[
                    double u[3], double f[2], double rate[1])
 {
   int k;
-  double l;
-  double e[3], ev[3];
+  double l, lv, damping;
+  double e[3], ev[3], n[3];
 
   for (k = 0; k < 3; ++k) {
     e[k] = ra[k] - rb[k];
     ev[k] = va[k] - vb[k];
   }
   l = sqrt(maggi_dot(e, e));
-  u[0] = e[0] / l;
-  u[1] = e[1] / l;
-  u[2] = e[2] / l;
-  rate[0] = maggi_dot(u, ev);
+  n[0] = e[0] / l;
+  n[1] = e[1] / l;
+  n[2] = e[2] / l;
+  lv = maggi_dot(n, ev);
+  damping = p[adr + MAGGI_SPRING_C] * lv;
   if (preload)
     f[0] = p[adr + MAGGI_SPRING_K] * (l - l0) + p[adr + MAGGI_SPRING_L];
   else
     f[0] = p[adr + MAGGI_SPRING_K] * (l - p[adr + MAGGI_SPRING_L]);
-  f[1] = p[adr + MAGGI_SPRING_C] * rate[0];
-  if (withslopes) {
-    k = adr + MAGGI_SPRING_SLOPES;
-    f[1] += slopes(p[k], p[k + 1], p[k + 2], p[k + 3], p[k + 4], p[k + 5], rate[0]);
-  }
+  k = adr + MAGGI_SPRING_SLOPES;
+  if (withslopes)
+    f[1] = damping + slopes(p[k], p[k + 1], p[k + 2], p[k + 3], p[k + 4], p[k + 5], lv);
+  else
+    f[1] = damping;
+  u[0] = n[0];
+  u[1] = n[1];
+  u[2] = n[2];
+  rate[0] = lv;
 }
 
 static void load_value(int kind, int np, const double p[np], int adr, double s, const double A[9],
@@ -76,6 +81,19 @@ static void load_value(int kind, int np, const double p[np], int adr, double s, 
   } else {
     for (k = 0; k < 3; ++k) f[k] = c[k];
   }
+}
+
+/* - rho/2 c A |u| u,  u = v - wind,  |u| = sqrt(u.u + low^2) */
+static void drag(int np, const double p[np], int adr, double s, const double v[3], double f[3])
+{
+  int k;
+  double c, speed;
+  double u[3];
+
+  for (k = 0; k < 3; ++k) u[k] = v[k] - p[adr + MAGGI_DRAG_WIND + k];
+  speed = sqrt(maggi_dot(u, u) + p[adr + MAGGI_DRAG_LOW] * p[adr + MAGGI_DRAG_LOW]);
+  c = 0.5 * p[adr + MAGGI_DRAG_RHO] * p[adr + MAGGI_DRAG_C] * p[adr + MAGGI_DRAG_AREA] * s;
+  for (k = 0; k < 3; ++k) f[k] = -c * speed * u[k];
 }
 
 /* force at r, or pure torque, on one body and back on another; returns its power */
@@ -111,7 +129,7 @@ void maggi_element_forces(const maggi_topo *t, const double p[t->np], const doub
                           double tau[t->nq], double power[1])
 {
   int i, k, a, b, adr;
-  double z, w, s;
+  double z, zv, s, torque;
   double u[3], f[2], rate[1], g[3], zero[3];
 
   power[0] = 0.0;
@@ -133,23 +151,26 @@ void maggi_element_forces(const maggi_topo *t, const double p[t->np], const doub
     a = t->jspringq[i];
     b = t->jspringq2[i];
     adr = t->jspringadr[i];
-    z = q[a];
-    w = v[a];
     if (b >= 0) {
       z = q[a] - q[b];
-      w = v[a] - v[b];
+      zv = v[a] - v[b];
+    } else {
+      z = q[a];
+      zv = v[a];
     }
-    s = -p[adr + MAGGI_JSPRING_K] * (z - p[adr + MAGGI_JSPRING_REST]) -
-        p[adr + MAGGI_JSPRING_C] * w - p[adr + MAGGI_JSPRING_PRELOAD];
-    tau[a] += s;
-    if (b >= 0) tau[b] -= s;
-    power[0] -= p[adr + MAGGI_JSPRING_C] * w * w;
+    torque = -p[adr + MAGGI_JSPRING_K] * (z - p[adr + MAGGI_JSPRING_REST]) -
+             p[adr + MAGGI_JSPRING_C] * zv - p[adr + MAGGI_JSPRING_PRELOAD];
+    tau[a] += torque;
+    if (b >= 0) tau[b] -= torque;
+    power[0] -= p[adr + MAGGI_JSPRING_C] * zv * zv;
   }
 
   for (i = 0; i < t->nforce; ++i) {
     adr = t->forceadr[i];
-    s = 1.0;
-    if (t->forcefun[i] >= 0) s = fun[t->forcefun[i]][0];
+    if (t->forcefun[i] >= 0)
+      s = fun[t->forcefun[i]][0];
+    else
+      s = 1.0;
     if (t->forcekind[i] == MAGGI_FORCE_JOINT) {
       a = t->forceq[i];
       tau[a] += p[adr] * s;
@@ -157,7 +178,10 @@ void maggi_element_forces(const maggi_topo *t, const double p[t->np], const doub
     } else {
       a = t->forcebody[i];
       b = t->forcereaction[i];
-      load_value(t->forcekind[i], t->np, p, adr, s, A[a], g);
+      if (t->forcekind[i] == MAGGI_FORCE_DRAG)
+        drag(t->np, p, adr, s, rv[t->forcepoint[i]], g);
+      else
+        load_value(t->forcekind[i], t->np, p, adr, s, A[a], g);
       if (t->forcepoint[i] >= 0)
         power[0] += apply(1, g, r[t->forcepoint[i]], Z[a], Z[b], Q[a], Q[b]);
       else

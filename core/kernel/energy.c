@@ -49,28 +49,28 @@ void maggi_potential_energy(const maggi_topo *t, const double p[t->np], const do
                             double energy[1])
 {
   int i, k, a, b, adr;
-  double l, z;
-  double e[3];
+  double sharea, shareb, l, z;
+  double g[3], e[3];
 
   energy[0] = 0.0;
   for (i = 0; i < t->nmassive; ++i) {
     k = t->massive[i];
     /* p begins with gravity */
-    e[0] = p[0];
-    e[1] = p[1];
-    e[2] = p[2];
-    energy[0] += weight(e, body0[k], A[k], x[k], x[t->nbody], origin);
+    g[0] = p[0];
+    g[1] = p[1];
+    g[2] = p[2];
+    energy[0] += weight(g, body0[k], A[k], x[k], x[t->nbody], origin);
   }
   for (i = 0; i < t->nrod; ++i) {
     a = t->rodpa[i];
     b = t->rodpb[i];
     /* half of the mass at each end, a third of it in the body there unless that is the ground */
-    z = t->pointbody[a] == t->nbody ? 0.5 : 1.0 / 6.0;
-    l = t->pointbody[b] == t->nbody ? 0.5 : 1.0 / 6.0;
+    sharea = t->pointbody[a] == t->nbody ? 0.5 : 1.0 / 6.0;
+    shareb = t->pointbody[b] == t->nbody ? 0.5 : 1.0 / 6.0;
     for (k = 0; k < 3; ++k)
-      energy[0] -=
-          p[t->rodadr[i]] * p[k] *
-          (z * (r[a][k] - x[t->nbody][k] + origin[k]) + l * (r[b][k] - x[t->nbody][k] + origin[k]));
+      energy[0] -= p[t->rodadr[i]] * p[k] *
+                   (sharea * (r[a][k] - x[t->nbody][k] + origin[k]) +
+                    shareb * (r[b][k] - x[t->nbody][k] + origin[k]));
   }
   for (i = 0; i < t->nspring; ++i) {
     a = t->springpa[i];
@@ -89,8 +89,10 @@ void maggi_potential_energy(const maggi_topo *t, const double p[t->np], const do
     a = t->jspringq[i];
     b = t->jspringq2[i];
     adr = t->jspringadr[i];
-    z = q[a];
-    if (b >= 0) z = q[a] - q[b];
+    if (b >= 0)
+      z = q[a] - q[b];
+    else
+      z = q[a];
     energy[0] += 0.5 * p[adr + MAGGI_JSPRING_K] * (z - p[adr + MAGGI_JSPRING_REST]) *
                      (z - p[adr + MAGGI_JSPRING_REST]) +
                  p[adr + MAGGI_JSPRING_PRELOAD] * z;

@@ -10,8 +10,15 @@
  * a body, 6 x stride numbers, one column for each independent or guided coordinate, propagated by
  *   V_dst = V_src + b_i R_i.
  * maggi_island_vector does the same for one column with a given right-hand side (accelerations,
- * corrections of positions).
+ * corrections of positions), maggi_loop_multipliers the transpose: forces instead of velocities, islands
+ * and updates from the last to the first.  FORMULATION 7, [1] 2.69-2.85:
+ *
+ *   Phi_z^T lambda = w on the dependent coordinates, w = forces not balanced by inertia
+ *   lambda_b = Phi_bb mu_b,  mu_b = (Phi_bb^T Phi_bb)^-1 (w_b - sum over later islands Phi_cb^T lambda_c)
+ *
+ * of which lambda has the smallest norm.
  */
+#include "columns.h"
 #include "kernel.h"
 
 /* A = Phi^T Phi, lower half, then its factor in the same place */
@@ -170,6 +177,27 @@ void maggi_island_columns(const maggi_topo *t, const double prim0[t->nprim],
   }
 }
 
+/* Y = - rate of the loops of island k by coordinates of earlier islands, x with room for n columns, one
+ * or a multiple of MAGGI_WIDTH; V holds velocities by these */
+void maggi_island_rates(const maggi_topo *t, int k, int n, const double prim0[t->nprim],
+                        const double r[t->npoint][3], const double dir[t->ndir][3],
+                        const double b[t->nbody][6], const double x[t->nq * n],
+                        double V[t->nvrow * 6 * n], double Y[t->nrow * n])
+{
+  int i, j, width;
+
+  width = n == 1 ? 1 : MAGGI_WIDTH;
+  for (i = t->islvop[k]; i < t->islvop[k + 1]; ++i)
+    row_update(width, t->vopdst[i], t->vopsrc[i], 0, n, n, t->vopq[i], b[t->qbody[t->vopq[i]]],
+               t->nq * n, x, t->nvrow * 6 * n, V);
+  for (i = t->islprim[k]; i < t->islprim[k + 1]; ++i) {
+    j = t->primorder[i];
+    prim_rate(width, t->primkind[j], t->primy[j], t->primva[j], t->primvb[j], 0, n, n, prim0[j],
+              r[t->primpa[j]], r[t->primpb[j]], dir[t->primda[j]], dir[t->primdb[j]],
+              t->nvrow * 6 * n, V, t->nrow * n, Y);
+  }
+}
+
 /* rows of rhs in the order of the loops; x is written for the dependent coordinates, zero elsewhere */
 void maggi_island_vector(const maggi_topo *t, const double prim0[t->nprim],
                          const double r[t->npoint][3], const double dir[t->ndir][3],
@@ -181,20 +209,146 @@ void maggi_island_vector(const maggi_topo *t, const double prim0[t->nprim],
   int k, i, j, row;
 
   for (k = 0; k < t->nisland; ++k) {
-    for (i = t->islvop[k]; i < t->islvop[k + 1]; ++i)
-      row_update(1, t->vopdst[i], t->vopsrc[i], 0, 1, 1, t->vopq[i], b[t->qbody[t->vopq[i]]], t->nq,
-                 x, t->nvrow * 6, v1);
+    maggi_island_rates(t, k, 1, prim0, r, dir, b, x, v1, y1);
     for (i = t->islprim[k]; i < t->islprim[k + 1]; ++i) {
       j = t->primorder[i];
-      prim_rate(1, t->primkind[j], t->primy[j], t->primva[j], t->primvb[j], 0, 1, 1, prim0[j],
-                r[t->primpa[j]], r[t->primpb[j]], dir[t->primda[j]], dir[t->primdb[j]],
-                t->nvrow * 6, v1, t->nrow, y1);
       for (row = 0; row < maggi_prim_rows(t->primkind[j]); ++row)
         y1[t->primy[j] + row] += rhs[t->primrow[j] + row];
     }
     maggi_solve_vector(t->islrow[k + 1] - t->islrow[k], t->isldep[k + 1] - t->isldep[k],
                        t->islphi[k], phi, t->islchol[k], chol, t->islrow[k], y1, t->isldep[k],
                        t->dep, x, work);
+  }
+}
+
+/* adds the wrench - Phi^T lambda of one building block to those of body a and body b */
+static void prim_wrench(int kind, int row, double length, const double ra[3], const double rb[3],
+                        const double da[3], const double db[3], int nrow, const double lambda[nrow],
+                        double Ga[6], double Gb[6])
+{
+  int k;
+  double f[3], ma[3], mb[3];
+
+  if (kind == MAGGI_PRIM_POINT || kind == MAGGI_PRIM_AXIS) {
+    for (k = 0; k < 3; ++k) f[k] = lambda[row + k];
+    maggi_cross(kind == MAGGI_PRIM_POINT ? ra : da, f, ma);
+    maggi_cross(kind == MAGGI_PRIM_POINT ? rb : db, f, mb);
+    for (k = 0; k < 3 && kind == MAGGI_PRIM_AXIS; ++k) f[k] = 0.0;
+  } else {
+    row_wrench(kind, length, ra, rb, da, db, f, ma, mb);
+    for (k = 0; k < 3; ++k) {
+      f[k] *= lambda[row];
+      ma[k] *= lambda[row];
+      mb[k] *= lambda[row];
+    }
+  }
+  for (k = 0; k < 3; ++k) {
+    Ga[k] -= f[k];
+    Ga[k + 3] -= ma[k];
+    Gb[k] += f[k];
+    Gb[k + 3] += mb[k];
+  }
+}
+
+/* mu of one island, L L^T mu = w, and y = Phi mu; where the pivots of L differ much, one step of
+ * refinement; work holds n numbers */
+ALWAYS_INLINE void island_multipliers(int m, int n, const double *phi, const double *L,
+                                      const double *w, double *mu, double *y, double *work)
+{
+  int i, row, pass;
+  double s;
+
+  for (i = 0; i < n; ++i) {
+    work[i] = w[i];
+    mu[i] = 0.0;
+  }
+  for (pass = 0;; ++pass) {
+    substitute(n, 1, L, work);
+    for (i = 0; i < n; ++i) mu[i] += work[i];
+    for (row = 0; row < m; ++row) {
+      s = 0.0;
+      for (i = 0; i < n; ++i) s += phi[row * n + i] * mu[i];
+      y[row] = s;
+    }
+    if (pass > 0 || !has_small_pivots(n, L)) return;
+    for (i = 0; i < n; ++i) {
+      s = w[i];
+      for (row = 0; row < m; ++row) s -= phi[row * n + i] * y[row];
+      work[i] = s;
+    }
+  }
+}
+
+enum { SMALL_ISLAND = 3 };
+
+/* an island of at most SMALL_ISLAND dependents; n is a constant of the caller */
+ALWAYS_INLINE void small_multipliers(int m, int n, const double *phi, const double *L,
+                                     const int *dep, double *mu, double *y)
+{
+  double w[SMALL_ISLAND], x[SMALL_ISLAND], work[SMALL_ISLAND];
+  int i;
+
+  for (i = 0; i < n; ++i) w[i] = mu[dep[i]];
+  island_multipliers(m, n, phi, L, w, x, y, work);
+  for (i = 0; i < n; ++i) mu[dep[i]] = x[i];
+}
+
+/* mu in place of w on the dependents of one island; work holds 3 n numbers */
+static void solve_multipliers(int m, int n, const double phi[], const double L[], const int dep[],
+                              double mu[], double y[], double work[])
+{
+  int i;
+
+  if (n == 1) {
+    small_multipliers(m, 1, phi, L, dep, mu, y);
+  } else if (n == 2) {
+    small_multipliers(m, 2, phi, L, dep, mu, y);
+  } else if (n == 3) {
+    small_multipliers(m, 3, phi, L, dep, mu, y);
+  } else {
+    for (i = 0; i < n; ++i) work[i] = mu[dep[i]];
+    island_multipliers(m, n, phi, L, work, work + n, y, work + 2 * n);
+    for (i = 0; i < n; ++i) mu[dep[i]] = work[n + i];
+  }
+}
+
+/* mu on the dependent coordinates, no meaning on the others.  G holds wrenches on velocity rows. */
+void maggi_loop_multipliers(const maggi_topo *t, const double prim0[t->nprim],
+                            const double r[t->npoint][3], const double dir[t->ndir][3],
+                            const double b[t->nbody][6], const double phi[t->nphi],
+                            const double chol[t->nchol], const double w[t->nq],
+                            double G[t->nvrow * 6], double y1[t->nrow], double mu[t->nq],
+                            double lambda[t->nrow], double work[t->nq * MAGGI_WIDTH * 2])
+{
+  int k, i, j, c, q, row;
+  double *dst, *src;
+
+  for (i = 0; i < t->nq; ++i) mu[i] = w[i];
+  for (i = 0; i < t->nrow; ++i) lambda[i] = 0.0;
+  for (i = 0; i < t->nvrow * 6 && t->nisland > 1; ++i) G[i] = 0.0;
+  for (k = t->nisland - 1; k >= 0; --k) {
+    solve_multipliers(t->islrow[k + 1] - t->islrow[k], t->isldep[k + 1] - t->isldep[k],
+                      phi + t->islphi[k], chol + t->islchol[k], t->dep + t->isldep[k], mu,
+                      y1 + t->islrow[k], work);
+    for (i = t->islprim[k]; i < t->islprim[k + 1]; ++i) {
+      j = t->primorder[i];
+      for (row = 0; row < maggi_prim_rows(t->primkind[j]); ++row)
+        lambda[t->primrow[j] + row] = y1[t->primy[j] + row];
+    }
+    if (k == 0) break;
+    for (i = t->islprim[k]; i < t->islprim[k + 1]; ++i) {
+      j = t->primorder[i];
+      prim_wrench(t->primkind[j], t->primrow[j], prim0[j], r[t->primpa[j]], r[t->primpb[j]],
+                  dir[t->primda[j]], dir[t->primdb[j]], t->nrow, lambda, G + t->primva[j] * 6,
+                  G + t->primvb[j] * 6);
+    }
+    for (i = t->islvop[k + 1] - 1; i >= t->islvop[k]; --i) {
+      q = t->vopq[i];
+      dst = G + t->vopdst[i] * 6;
+      src = G + t->vopsrc[i] * 6;
+      mu[q] += maggi_dot6(b[t->qbody[q]], dst);
+      for (c = 0; c < 6; ++c) src[c] += dst[c];
+    }
   }
 }
 

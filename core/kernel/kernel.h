@@ -43,7 +43,8 @@ void maggi_functions(const maggi_topo *t, const double p[t->np],
 /* position.c: poses and joints */
 void maggi_positions(const maggi_topo *t, const double offset0[t->nbody][3],
                      const double axis0[t->nbody][3], const double q[t->nq],
-                     double A[t->nbody + 1][9], double x[t->nbody + 1][3], double b[t->nbody][6]);
+                     double turn[t->nbody][2], double A[t->nbody + 1][9], double x[t->nbody + 1][3],
+                     double b[t->nbody][6]);
 void maggi_points(const maggi_topo *t, int begin, int end, const double point0[t->npoint][3],
                   const double A[t->nbody + 1][9], const double x[t->nbody + 1][3],
                   double r[t->npoint][3]);
@@ -73,13 +74,17 @@ void maggi_prim_entry(int kind, int side, double length, const double b[6], cons
 void maggi_loop_entries(const maggi_topo *t, const double prim0[t->nprim],
                         const double r[t->npoint][3], const double dir[t->ndir][3],
                         const double b[t->nbody][6], double phi[t->nphi]);
+void maggi_loop_rates(const maggi_topo *t, const double prim0[t->nprim],
+                      const double r[t->npoint][3], const double dir[t->ndir][3],
+                      const double rv[t->npoint][3], const double Z[t->nbody + 1][6],
+                      double rate[t->nrow]);
 void maggi_loop_gamma(const maggi_topo *t, const double prim0[t->nprim],
                       const double r[t->npoint][3], const double dir[t->ndir][3],
                       const double rv[t->npoint][3], const double ra[t->npoint][3],
                       const double Z[t->nbody + 1][6], const double Z0[t->nbody + 1][6],
                       double gam[t->nrow]);
 
-/* island.c: dependent velocities by columns, and one by one */
+/* island.c: dependent velocities by columns, and one by one; multipliers */
 void maggi_island_factors(const maggi_topo *t, const double phi[t->nphi], double chol[t->nchol]);
 void maggi_island_columns(const maggi_topo *t, const double prim0[t->nprim],
                           const double r[t->npoint][3], const double dir[t->ndir][3],
@@ -93,6 +98,16 @@ void maggi_island_vector(const maggi_topo *t, const double prim0[t->nprim],
                          const double chol[t->nchol], const double rhs[t->nrow],
                          double v1[t->nvrow * 6], double y1[t->nrow], double x[t->nq],
                          double work[t->nq * MAGGI_WIDTH * 2]);
+void maggi_island_rates(const maggi_topo *t, int k, int n, const double prim0[t->nprim],
+                        const double r[t->npoint][3], const double dir[t->ndir][3],
+                        const double b[t->nbody][6], const double x[t->nq * n],
+                        double V[t->nvrow * 6 * n], double Y[t->nrow * n]);
+void maggi_loop_multipliers(const maggi_topo *t, const double prim0[t->nprim],
+                            const double r[t->npoint][3], const double dir[t->ndir][3],
+                            const double b[t->nbody][6], const double phi[t->nphi],
+                            const double chol[t->nchol], const double w[t->nq],
+                            double G[t->nvrow * 6], double y1[t->nrow], double mu[t->nq],
+                            double lambda[t->nrow], double work[t->nq * MAGGI_WIDTH * 2]);
 void maggi_expand(const maggi_topo *t, const double R[t->nq * t->stride],
                   const double vcol[t->stride], const double x0[t->nq], double v[t->nq]);
 
@@ -127,9 +142,11 @@ void maggi_mass_matrix(const maggi_topo *t, const double p[t->np], const double 
 void maggi_reduced_mass(const maggi_topo *t, const double M[t->npair],
                         const double R[t->nq * t->stride], double MR[t->nq * t->stride],
                         double Mr[t->ncol * t->stride]);
-void maggi_reduced_force(const maggi_topo *t, const double b[t->nbody][6],
-                         const double FS[t->nbody + 1][6], const double tau[t->nq],
-                         const double R[t->nq * t->stride], double f[t->nq], double fr[t->stride]);
+void maggi_generalised_forces(const maggi_topo *t, const double b[t->nbody][6],
+                              const double FS[t->nbody + 1][6], const double tau[t->nq],
+                              double f[t->nq]);
+void maggi_reduced_force(const maggi_topo *t, const double f[t->nq],
+                         const double R[t->nq * t->stride], double fr[t->stride]);
 void maggi_drives(const maggi_topo *t, const double Mr[t->ncol * t->stride],
                   const double fr[t->ncol], const double acol[t->ncol], double drive[t->ncol]);
 
@@ -145,12 +162,7 @@ void maggi_factor_mass(const maggi_topo *t, const double Mr[], double Ur[], doub
 void maggi_solve_mass(const maggi_topo *t, const double Mr[], const double fr[], const double Ur[],
                       const double dinv[], double acol[]);
 
-/* reaction.c: multipliers, drives, joint reactions */
-void maggi_loop_multipliers(const maggi_topo *t, const double prim0[t->nprim],
-                            const double r[t->npoint][3], const double dir[t->ndir][3],
-                            const double b[t->nbody][6], const double phi[t->nphi],
-                            const double chol[t->nchol], const double w[t->nq], double wd[t->nq],
-                            double lambda[t->nrow]);
+/* reaction.c */
 void maggi_loop_forces(const maggi_topo *t, const double prim0[t->nprim],
                        const double r[t->npoint][3], const double dir[t->ndir][3],
                        const double lambda[t->nrow], double F[t->nbody + 1][6]);

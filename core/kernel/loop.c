@@ -1,8 +1,12 @@
-/* Loop closure: equations, Jacobian entries and right-hand side of the accelerations.
+/* Loop closure: equations, their rates, Jacobian entries and right-hand side of the accelerations.
  * FORMULATION 4, [1] 2.39-2.50, for the building blocks
  *
  *   point  r_a - r_b             axis   u_a - u_b             angle  u_a.u_b - c
  *   plane  (r_a - r_b).u_b       rod    (|r_a - r_b|^2 - l^2) / (2 l)
+ *
+ * Joints that carry both sides are not in Phi_z.  All they could do is turn the vector of an open point
+ * or axis; rates and accelerations leave that out too, so that Phi_z is their derivative with respect to
+ * joint rates and accelerations whether the loops are closed or not.
  */
 #include "kernel.h"
 
@@ -74,9 +78,13 @@ void maggi_prim_entry(int kind, int side, double length, const double b[6], cons
   } else if (kind == MAGGI_PRIM_ANGLE) {
     maggi_cross(da, db, c);
     e[0] = s * maggi_dot(w, c);
+    e[1] = 0.0;
+    e[2] = 0.0;
   } else if (kind == MAGGI_PRIM_PLANE) {
     maggi_point_rate(b, ra, j);
     e[0] = s * maggi_dot(db, j);
+    e[1] = 0.0;
+    e[2] = 0.0;
   } else {
     if (side == 0)
       maggi_point_rate(b, ra, j);
@@ -86,6 +94,8 @@ void maggi_prim_entry(int kind, int side, double length, const double b[6], cons
     c[1] = ra[1] - rb[1];
     c[2] = ra[2] - rb[2];
     e[0] = s * maggi_dot(c, j) / length;
+    e[1] = 0.0;
+    e[2] = 0.0;
   }
 }
 
@@ -118,24 +128,100 @@ void maggi_loop_entries(const maggi_topo *t, const double prim0[t->nprim],
   }
 }
 
-/* u'' = w' × u + w × u',  u' = w × u */
-static void direction_rates(const double Z[6], const double Z0[6], const double d[3], double d1[3],
-                            double d2[3])
+/* u' = w × u */
+static void direction_rate(const double Z[6], const double u[3], double u1[3])
 {
-  double w[3], w1[3], c[3], e[3];
+  double w[3];
 
   w[0] = Z[3];
   w[1] = Z[4];
   w[2] = Z[5];
-  w1[0] = Z0[3];
-  w1[1] = Z0[4];
-  w1[2] = Z0[5];
-  maggi_cross(w, d, d1);
-  maggi_cross(w1, d, c);
-  maggi_cross(w, d1, e);
-  d2[0] = c[0] + e[0];
-  d2[1] = c[1] + e[1];
-  d2[2] = c[2] + e[2];
+  maggi_cross(w, u, u1);
+}
+
+/* u'' = w' × u + w × u' */
+static void direction_acceleration(const double Z[6], const double Z0[6], const double u[3],
+                                   const double u1[3], double u2[3])
+{
+  double c[3], e[3];
+
+  direction_rate(Z0, u, c);
+  direction_rate(Z, u1, e);
+  u2[0] = c[0] + e[0];
+  u2[1] = c[1] + e[1];
+  u2[2] = c[2] + e[2];
+}
+
+/* the first derivative of the equation */
+static void prim_residual_rate(int kind, int row, double length, const double ra[3],
+                               const double rb[3], const double da[3], const double db[3],
+                               const double va[3], const double vb[3], const double Za[6],
+                               const double Zb[6], int nrow, double rate[nrow])
+{
+  int k;
+  double e[3], ev[3], da1[3], db1[3];
+
+  for (k = 0; k < 3; ++k) {
+    e[k] = ra[k] - rb[k];
+    ev[k] = va[k] - vb[k];
+  }
+  if (kind == MAGGI_PRIM_POINT) {
+    for (k = 0; k < 3; ++k) rate[row + k] = ev[k];
+  } else if (kind == MAGGI_PRIM_ROD) {
+    rate[row] = maggi_dot(ev, e) / length;
+  } else {
+    direction_rate(Za, da, da1);
+    direction_rate(Zb, db, db1);
+    if (kind == MAGGI_PRIM_AXIS) {
+      for (k = 0; k < 3; ++k) rate[row + k] = da1[k] - db1[k];
+    } else if (kind == MAGGI_PRIM_ANGLE) {
+      rate[row] = maggi_dot(da1, db) + maggi_dot(da, db1);
+    } else {
+      rate[row] = maggi_dot(ev, db) + maggi_dot(e, db1);
+    }
+  }
+}
+
+/* y += s w × (a - b) */
+static void turning_add(double s, int row, const double Z[6], const double a[3], const double b[3],
+                        int nrow, double y[nrow])
+{
+  int k;
+  double e[3], e1[3];
+
+  for (k = 0; k < 3; ++k) e[k] = a[k] - b[k];
+  direction_rate(Z, e, e1);
+  for (k = 0; k < 3; ++k) y[row + k] += s * e1[k];
+}
+
+/* what turning with the bodies that carry both sides does to open points and axes */
+static void carried_add(const maggi_topo *t, double s, const double r[t->npoint][3],
+                        const double dir[t->ndir][3], const double Z[t->nbody + 1][6],
+                        double y[t->nrow])
+{
+  int i, c;
+
+  for (i = 0; i < t->nprim; ++i) {
+    c = t->loopcommon[t->primloop[i]];
+    if (c < t->nbody && t->primkind[i] == MAGGI_PRIM_POINT)
+      turning_add(s, t->primrow[i], Z[c], r[t->primpa[i]], r[t->primpb[i]], t->nrow, y);
+    else if (c < t->nbody && t->primkind[i] == MAGGI_PRIM_AXIS)
+      turning_add(s, t->primrow[i], Z[c], dir[t->primda[i]], dir[t->primdb[i]], t->nrow, y);
+  }
+}
+
+void maggi_loop_rates(const maggi_topo *t, const double prim0[t->nprim],
+                      const double r[t->npoint][3], const double dir[t->ndir][3],
+                      const double rv[t->npoint][3], const double Z[t->nbody + 1][6],
+                      double rate[t->nrow])
+{
+  int i;
+
+  for (i = 0; i < t->nprim; ++i)
+    prim_residual_rate(t->primkind[i], t->primrow[i], prim0[i], r[t->primpa[i]], r[t->primpb[i]],
+                       dir[t->primda[i]], dir[t->primdb[i]], rv[t->primpa[i]], rv[t->primpb[i]],
+                       Z[t->primba[i]], Z[t->primbb[i]], t->nrow, rate);
+  carried_add(t, -1.0, r, dir, Z, rate);
 }
 
 /* minus the second derivative of the equation with all joint accelerations zero */
@@ -158,8 +244,10 @@ static void prim_gamma(int kind, int row, double length, const double ra[3], con
   } else if (kind == MAGGI_PRIM_ROD) {
     gam[row] = -(maggi_dot(ea, e) + maggi_dot(ev, ev)) / length;
   } else {
-    direction_rates(Za, Z0a, da, da1, da2);
-    direction_rates(Zb, Z0b, db, db1, db2);
+    direction_rate(Za, da, da1);
+    direction_rate(Zb, db, db1);
+    direction_acceleration(Za, Z0a, da, da1, da2);
+    direction_acceleration(Zb, Z0b, db, db1, db2);
     if (kind == MAGGI_PRIM_AXIS) {
       for (k = 0; k < 3; ++k) gam[row + k] = db2[k] - da2[k];
     } else if (kind == MAGGI_PRIM_ANGLE) {
@@ -185,4 +273,5 @@ void maggi_loop_gamma(const maggi_topo *t, const double prim0[t->nprim],
                dir[t->primda[i]], dir[t->primdb[i]], rv[t->primpa[i]], rv[t->primpb[i]],
                ra[t->primpa[i]], ra[t->primpb[i]], Z[a], Z[b], Z0[a], Z0[b], t->nrow, gam);
   }
+  carried_add(t, 1.0, r, dir, Z0, gam);
 }

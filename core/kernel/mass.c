@@ -121,14 +121,22 @@ void maggi_reduced_mass(const maggi_topo *t, const double M[t->npair],
   }
 }
 
-/* f_i = b_i.FS_i + tau_i,  R^T f */
-void maggi_reduced_force(const maggi_topo *t, const double b[t->nbody][6],
-                         const double FS[t->nbody + 1][6], const double tau[t->nq],
-                         const double R[t->nq * t->stride], double f[t->nq], double fr[t->stride])
+/* f_i = b_i.FS_i + tau_i */
+void maggi_generalised_forces(const maggi_topo *t, const double b[t->nbody][6],
+                              const double FS[t->nbody + 1][6], const double tau[t->nq],
+                              double f[t->nq])
+{
+  int i;
+
+  for (i = 0; i < t->nq; ++i) f[i] = maggi_dot6(b[t->qbody[i]], FS[t->qbody[i]]) + tau[i];
+}
+
+/* R^T f */
+void maggi_reduced_force(const maggi_topo *t, const double f[t->nq],
+                         const double R[t->nq * t->stride], double fr[t->stride])
 {
   int i, k, c;
 
-  for (i = 0; i < t->nq; ++i) f[i] = maggi_dot6(b[t->qbody[i]], FS[t->qbody[i]]) + tau[i];
   for (c = 0; c < t->ncol; ++c) fr[c] = f[t->colq[c]];
   for (i = 0; i < t->ndep; ++i) {
     k = t->dep[i];

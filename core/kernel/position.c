@@ -8,15 +8,13 @@
 #include "kernel.h"
 
 /* A = Ap Rot(u, q),  Rot = c I + s u~ + (1 - c) u u^T */
-static void rotate(const double Ap[9], const double u[3], double q, double A[9])
+static void rotate(const double Ap[9], const double u[3], double s, double c, double A[9])
 {
   int k;
-  double s, c, v;
+  double v;
   double vx, vy, vz;
   double R[9];
 
-  s = sin(q);
-  c = cos(q);
   v = 1.0 - c;
   vx = v * u[0];
   vy = v * u[1];
@@ -39,7 +37,8 @@ static void rotate(const double Ap[9], const double u[3], double q, double A[9])
 
 /* b = (x × u, u) */
 static void joint_revolute(const double Ap[9], const double xp[3], const double offset0[3],
-                           const double axis0[3], double q, double A[9], double x[3], double b[6])
+                           const double axis0[3], const double turn[2], double A[9], double x[3],
+                           double b[6])
 {
   double e[3], u[3], xi[3], c[3];
 
@@ -48,7 +47,7 @@ static void joint_revolute(const double Ap[9], const double xp[3], const double 
   xi[0] = xp[0] + e[0];
   xi[1] = xp[1] + e[1];
   xi[2] = xp[2] + e[2];
-  rotate(Ap, axis0, q, A);
+  rotate(Ap, axis0, turn[0], turn[1], A);
   maggi_cross(xi, u, c);
   x[0] = xi[0];
   x[1] = xi[1];
@@ -93,9 +92,11 @@ static void joint_fixed(const double Ap[9], const double xp[3], const double off
   }
 }
 
+/* joints that do not turn leave their row of turn alone */
 void maggi_positions(const maggi_topo *t, const double offset0[t->nbody][3],
                      const double axis0[t->nbody][3], const double q[t->nq],
-                     double A[t->nbody + 1][9], double x[t->nbody + 1][3], double b[t->nbody][6])
+                     double turn[t->nbody][2], double A[t->nbody + 1][9], double x[t->nbody + 1][3],
+                     double b[t->nbody][6])
 {
   int i, k, up;
 
@@ -106,12 +107,15 @@ void maggi_positions(const maggi_topo *t, const double offset0[t->nbody][3],
 
   for (i = t->nbody - 1; i >= 0; --i) {
     up = t->parent[i];
-    if (t->joint[i] == MAGGI_ONE_REVOLUTE)
-      joint_revolute(A[up], x[up], offset0[i], axis0[i], q[t->qid[i]], A[i], x[i], b[i]);
-    else if (t->joint[i] == MAGGI_ONE_PRISMATIC)
+    if (t->joint[i] == MAGGI_ONE_REVOLUTE) {
+      turn[i][0] = sin(q[t->qid[i]]);
+      turn[i][1] = cos(q[t->qid[i]]);
+      joint_revolute(A[up], x[up], offset0[i], axis0[i], turn[i], A[i], x[i], b[i]);
+    } else if (t->joint[i] == MAGGI_ONE_PRISMATIC) {
       joint_prismatic(A[up], x[up], offset0[i], axis0[i], q[t->qid[i]], A[i], x[i], b[i]);
-    else
+    } else {
       joint_fixed(A[up], x[up], offset0[i], A[i], x[i], b[i]);
+    }
   }
 }
 

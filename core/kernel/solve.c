@@ -1,15 +1,7 @@
 /* Linear solves: Cholesky without pivoting.  These are differentiated by rule, with the factor at
  * hand, not line by line (AD.md), so they may be written for speed. */
-#include <stddef.h>
-
+#include "columns.h"
 #include "kernel.h"
-
-/* sizes must be constants where these are used */
-#if defined(__GNUC__)
-#define ALWAYS_INLINE static inline __attribute__((always_inline))
-#else
-#define ALWAYS_INLINE static inline
-#endif
 
 /* lower factor of the n x n matrix at chol[adr], in place, with the inverse pivots on its diagonal; a
  * lost pivot leaves what is not finite */
@@ -31,68 +23,12 @@ void maggi_cholesky_island(int n, int adr, double chol[])
   }
 }
 
-/* rows of `width` numbers: a block of columns, or one */
-ALWAYS_INLINE void load(int width, const double *from, double *x)
-{
-  int c;
-
-#pragma omp simd
-  for (c = 0; c < width; ++c) x[c] = from[c];
-}
-
-ALWAYS_INLINE void axpy(int width, double f, const double *x, double *y)
-{
-  int c;
-
-#pragma omp simd
-  for (c = 0; c < width; ++c) y[c] += f * x[c];
-}
-
-ALWAYS_INLINE void scale(int width, double f, double *x)
-{
-  int c;
-
-#pragma omp simd
-  for (c = 0; c < width; ++c) x[c] *= f;
-}
-
-ALWAYS_INLINE void clear(int n, double *x)
-{
-  int i;
-
-  for (i = 0; i < n; ++i) x[i] = 0.0;
-}
-
-/* T = A^-1 T, L L^T = A, n rows */
-ALWAYS_INLINE void substitute(int n, int width, const double *L, double *T)
-{
-  int i, j;
-
-  for (i = 0; i < n; ++i) {
-    for (j = 0; j < i; ++j) axpy(width, -L[i * n + j], T + j * width, T + i * width);
-    scale(width, L[i * n + i], T + i * width);
-  }
-  for (i = n - 1; i >= 0; --i) {
-    for (j = i + 1; j < n; ++j) axpy(width, -L[j * n + i], T + j * width, T + i * width);
-    scale(width, L[i * n + i], T + i * width);
-  }
-}
-
-/* Normal equations square the condition number of Phi, and one step of iterative refinement wins that
- * back.  Velocities always need it: their error makes positions drift, and what is open of a loop is
+/* Velocities always need refinement: their error makes positions drift, and what is open of a loop is
  * magnified at singular positions.  A single column (accelerations, corrections) does not while the
  * pivots are alike. */
 ALWAYS_INLINE int needs_refinement(int n, int width, const double *L)
 {
-  int i;
-  double least = L[0], most = L[0];
-
-  if (width > 1) return 1;
-  for (i = 1; i < n; ++i) {
-    least = L[i * n + i] < least ? L[i * n + i] : least;
-    most = L[i * n + i] > most ? L[i * n + i] : most;
-  }
-  return !(most < 16.0 * least);
+  return width > 1 || has_small_pivots(n, L);
 }
 
 /* X = (Phi^T Phi)^-1 Phi^T Y; X and T have n rows */

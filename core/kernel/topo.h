@@ -52,6 +52,7 @@ enum {
   MAGGI_SPRING_SLOPES
 }; /* then c1..c4 v11 v22 */
 enum { MAGGI_JSPRING_K, MAGGI_JSPRING_C, MAGGI_JSPRING_REST, MAGGI_JSPRING_PRELOAD };
+enum { MAGGI_DRAG_RHO, MAGGI_DRAG_C, MAGGI_DRAG_AREA, MAGGI_DRAG_LOW, MAGGI_DRAG_WIND };
 
 #define MAGGI_TOPO_SIZES(X)                                                                        \
   X(nbody, "expanded bodies without the ground")                                                   \
@@ -142,7 +143,7 @@ enum { MAGGI_JSPRING_K, MAGGI_JSPRING_C, MAGGI_JSPRING_REST, MAGGI_JSPRING_PRELO
   X(forcepoint, nforce, "point, -1 if none")                                                       \
   X(forceq, nforce, "coordinate, -1 if none")                                                      \
   X(forcefun, nforce, "function, -1: constant")                                                    \
-  X(forceadr, nforce, "address of the value")                                                      \
+  X(forceadr, nforce, "address of the value, or of the numbers of a drag")                         \
   X(funkind, nfun, "maggi_function_type")                                                          \
   X(funadr, nfun, "address: times then values, or the scalars")                                    \
   X(funn, nfun, "number of points or coefficients")                                                \

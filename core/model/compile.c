@@ -180,6 +180,21 @@ static void sort_paths(const maggi_model *m, int *index)
   }
 }
 
+/* what check.c has left to the bounds */
+static maggi_status check_parameters(const maggi_compile *c)
+{
+  const maggi_parameter *p = c->m->parameter;
+  const char *wrong;
+  int i;
+
+  for (i = 0; i < c->m->nparameter; ++i) {
+    wrong = maggi_parameter_wrong(&p[i], p[i].value);
+    if (wrong)
+      return maggi_builder_fail(c->b, MAGGI_E_MODEL, "%s %s (%g)", p[i].path, wrong, p[i].value);
+  }
+  return MAGGI_OK;
+}
+
 static maggi_status compile(maggi_compile *c)
 {
   maggi_status status;
@@ -198,6 +213,7 @@ static maggi_status compile(maggi_compile *c)
   if (status == MAGGI_OK) status = maggi_compile_loops(c);
   if (status == MAGGI_OK) status = maggi_compile_elements(c);
   if (status == MAGGI_OK) status = maggi_compile_sensors(c);
+  if (status == MAGGI_OK) status = check_parameters(c);
   if (status != MAGGI_OK) return status;
 
   c->t->np = m->nparameter;

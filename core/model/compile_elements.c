@@ -3,6 +3,10 @@
 
 #include "compile.h"
 
+/* entry of p for d->key, SECTION.NAME.key */
+#define NUMBER(section, key, unit, bound)                                                          \
+  maggi_parameter_add(c, d->key, unit, MAGGI_BOUND_##bound, #section ".%s." #key, d->name)
+
 static const char *const sine_names[] = {"amplitude", "omega", "phase", "offset"};
 static const char *const step_names[] = {"t0", "t1", "y0", "y1"};
 
@@ -84,14 +88,12 @@ static maggi_status add_spring(maggi_compile *c, const maggi_spring_def *d)
   if (ba == bb)
     return maggi_builder_fail(c->b, MAGGI_E_MODEL,
                               "springs.%s: body_a and body_b are the same body", d->name);
-  adr = maggi_parameter_add(c, d->stiffness, "N/m", MAGGI_BOUND_NONE, "springs.%s.stiffness",
-                            d->name);
+  adr = NUMBER(springs, stiffness, "N/m", NONE);
   if (preload)
-    maggi_parameter_add(c, d->preload, "N", MAGGI_BOUND_NONE, "springs.%s.preload", d->name);
+    NUMBER(springs, preload, "N", NONE);
   else
-    maggi_parameter_add(c, d->free_length, "m", MAGGI_BOUND_NOT_NEGATIVE, "springs.%s.free_length",
-                        d->name);
-  maggi_parameter_add(c, d->damping, "N s/m", MAGGI_BOUND_NONE, "springs.%s.damping", d->name);
+    NUMBER(springs, free_length, "m", NOT_NEGATIVE);
+  NUMBER(springs, damping, "N s/m", NONE);
   if (d->has_slopes) {
     for (k = 0; k < 4; ++k) values[k] = d->c[k];
     values[4] = d->v11;
@@ -135,13 +137,10 @@ static maggi_status add_joint_spring(maggi_compile *c, const maggi_joint_spring_
     return maggi_builder_fail(c->b, MAGGI_E_MODEL,
                               "joint_springs.%s: the two coordinates are the same", d->name);
   unit = units[is_angle(c, q)];
-  adr = maggi_parameter_add(c, d->stiffness, unit[0], MAGGI_BOUND_NONE,
-                            "joint_springs.%s.stiffness", d->name);
-  maggi_parameter_add(c, d->damping, unit[1], MAGGI_BOUND_NONE, "joint_springs.%s.damping",
-                      d->name);
-  maggi_parameter_add(c, d->rest, unit[2], MAGGI_BOUND_NONE, "joint_springs.%s.rest", d->name);
-  maggi_parameter_add(c, d->preload, unit[3], MAGGI_BOUND_NONE, "joint_springs.%s.preload",
-                      d->name);
+  adr = NUMBER(joint_springs, stiffness, unit[0], NONE);
+  NUMBER(joint_springs, damping, unit[1], NONE);
+  NUMBER(joint_springs, rest, unit[2], NONE);
+  NUMBER(joint_springs, preload, unit[3], NONE);
   PUSH(jspringq, q);
   PUSH(jspringq2, q2);
   PUSH(jspringadr, adr);
@@ -152,7 +151,8 @@ static maggi_status add_force(maggi_compile *c, const maggi_force_def *d)
 {
   maggi_status status = MAGGI_OK;
   int body = -1, reaction = c->t->nbody, q = -1, fun = -1, point = -1, adr;
-  int is_force = d->type == MAGGI_FORCE_GLOBAL || d->type == MAGGI_FORCE_BODY;
+  int is_force =
+      d->type == MAGGI_FORCE_GLOBAL || d->type == MAGGI_FORCE_BODY || d->type == MAGGI_FORCE_DRAG;
 
   if (d->function) status = maggi_compile_function(c, "forces", d->name, d->function, &fun);
   if (status == MAGGI_OK && d->type == MAGGI_FORCE_JOINT)
@@ -168,11 +168,18 @@ static maggi_status add_force(maggi_compile *c, const maggi_force_def *d)
   if (body == reaction)
     return maggi_builder_fail(c->b, MAGGI_E_MODEL, "forces.%s: body and reaction are the same body",
                               d->name);
-  if (d->type == MAGGI_FORCE_JOINT)
+  if (d->type == MAGGI_FORCE_JOINT) {
     adr = maggi_parameter_add(c, d->value[0], is_angle(c, q) ? "N m" : "N", MAGGI_BOUND_NONE,
                               "forces.%s.value", d->name);
-  else
+  } else if (d->type == MAGGI_FORCE_DRAG) {
+    adr = NUMBER(forces, density, "kg/m^3", NOT_NEGATIVE);
+    NUMBER(forces, coefficient, "-", NOT_NEGATIVE);
+    NUMBER(forces, area, "m^2", NOT_NEGATIVE);
+    NUMBER(forces, low_speed, "m/s", POSITIVE);
+    maggi_parameter_add3(c, d->wind, "m/s", "forces.%s.wind", d->name);
+  } else {
     adr = maggi_parameter_add3(c, d->value, is_force ? "N" : "N m", "forces.%s.value", d->name);
+  }
   PUSH(forceadr, adr);
   if (is_force) {
     adr = maggi_parameter_add3(c, d->point, "m", "forces.%s.point", d->name);

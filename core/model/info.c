@@ -113,6 +113,15 @@ double maggi_parameter_default(const maggi_model *m, int index)
   return in(index, m->nparameter) ? m->parameter[index].value : NAN;
 }
 
+const char *maggi_parameter_wrong(const maggi_parameter *p, double value)
+{
+  if (!isfinite(value)) return "must be finite";
+  if (p->bound == MAGGI_BOUND_NOT_NEGATIVE && value < 0.0) return "must not be negative";
+  if (p->bound == MAGGI_BOUND_NOT_POSITIVE && value > 0.0) return "must not be positive";
+  if (p->bound == MAGGI_BOUND_POSITIVE && value <= 0.0) return "must be positive";
+  return NULL;
+}
+
 int maggi_parameter_find(const maggi_model *m, const char *path)
 {
   int low = 0, high = m->nparameter, mid, order;

@@ -69,12 +69,14 @@ static maggi_status set_joint(const load_build *b, const load_joint *j, maggi_bo
 {
   /* point, axis, axis2 */
   static const char *const rules[MAGGI_JOINT_TYPE_COUNT] = {
-      [MAGGI_JOINT_REVOLUTE] = "rr-",    [MAGGI_JOINT_PRISMATIC] = "or-",
-      [MAGGI_JOINT_CYLINDRICAL] = "rr-", [MAGGI_JOINT_UNIVERSAL] = "rrr",
-      [MAGGI_JOINT_PLANAR] = "rro",      [MAGGI_JOINT_SPHERICAL] = "r--",
-      [MAGGI_JOINT_FREE] = "r--",        [MAGGI_JOINT_FIXED] = "o--"};
-  const load_key keys[] = {
-      {"point", j->point != NULL}, {"axis", j->axis != NULL}, {"axis2", j->axis2 != NULL}};
+      [MAGGI_JOINT_REVOLUTE] = "rr",    [MAGGI_JOINT_PRISMATIC] = "or",
+      [MAGGI_JOINT_CYLINDRICAL] = "rr", [MAGGI_JOINT_UNIVERSAL] = "rrr",
+      [MAGGI_JOINT_PLANAR] = "rro",     [MAGGI_JOINT_SPHERICAL] = "r",
+      [MAGGI_JOINT_FREE] = "r",         [MAGGI_JOINT_FIXED] = "o"};
+  const load_key keys[] = {{"point", j->point != NULL},
+                           {"axis", j->axis != NULL},
+                           {"axis2", j->axis2 != NULL},
+                           {NULL, 0}};
   int type;
   maggi_status status;
 

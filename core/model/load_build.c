@@ -100,10 +100,13 @@ maggi_status maggi_load_word(const load_build *b, const char *rest, const char *
 maggi_status maggi_load_keys(const load_build *b, const char *rest, const char *type,
                              const char *rule, const load_key *keys)
 {
-  for (; *rule; ++rule, ++keys) {
-    if (*rule == 'r' && !keys->given)
+  char letter;
+
+  for (; keys->key; ++keys) {
+    letter = *rule ? *rule++ : '-';
+    if (letter == 'r' && !keys->given)
       return maggi_load_fail_at(b, rest, "key \"%s\" is missing (type %s)", keys->key, type);
-    if (*rule == '-' && keys->given)
+    if (letter == '-' && keys->given)
       return maggi_load_fail_at(b, rest, "type %s has no key \"%s\"", type, keys->key);
   }
   return MAGGI_OK;

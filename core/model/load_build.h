@@ -37,8 +37,8 @@ maggi_status maggi_load_added(const load_build *b, const char *rest, maggi_statu
 maggi_status maggi_load_word(const load_build *b, const char *rest, const char *word,
                              const load_words *words, int *found);
 
-/* Keys that a type takes: for each key, in order, a letter of rule: r required, o optional,
- * - not allowed. */
+/* Keys that a type takes: for each key up to one of NULL, in order, a letter of rule: r required,
+ * o optional, - or none left: not allowed. */
 maggi_status maggi_load_keys(const load_build *b, const char *rest, const char *type,
                              const char *rule, const load_key *keys);
 

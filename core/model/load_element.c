@@ -3,6 +3,9 @@
 
 #include <math.h>
 
+/* the two parts of a load_key */
+#define KEY(entry, key) #key, entry->key != NULL
+
 static const char *loop_word(int i)
 {
   return maggi_loop_type_name((maggi_loop_type)i);
@@ -27,6 +30,11 @@ static const load_words loop_words = {loop_word, maggi_loop_type_find};
 static const load_words force_words = {force_word, maggi_force_type_find};
 static const load_words function_words = {function_word, maggi_function_type_find};
 static const load_words sensor_words = {sensor_word, maggi_sensor_type_find};
+
+static double number_or_zero(const double *number)
+{
+  return number ? *number : 0.0;
+}
 
 /* ------------------------------------------------------------------------------- loops and rods */
 
@@ -136,18 +144,15 @@ maggi_status maggi_load_joint_spring(const load_build *b, const load_joint_sprin
 
 maggi_status maggi_load_force(const load_build *b, const load_force *force)
 {
-  /* body, reaction, point, value, coordinate, effort */
-  static const char *const rules[MAGGI_FORCE_TYPE_COUNT] = {[MAGGI_FORCE_GLOBAL] = "rorr--",
-                                                            [MAGGI_FORCE_BODY] = "rorr--",
-                                                            [MAGGI_TORQUE_GLOBAL] = "ro-r--",
-                                                            [MAGGI_TORQUE_BODY] = "ro-r--",
-                                                            [MAGGI_FORCE_JOINT] = "----rr"};
-  const load_key keys[] = {{"body", force->body != NULL},
-                           {"reaction", force->reaction != NULL},
-                           {"point", force->point != NULL},
-                           {"value", force->value != NULL},
-                           {"coordinate", force->coordinate != NULL},
-                           {"effort", force->effort != NULL}};
+  /* body, reaction, point, value; coordinate, effort; density, coefficient, area, low_speed, wind */
+  static const char *const rules[MAGGI_FORCE_TYPE_COUNT] = {
+      [MAGGI_FORCE_GLOBAL] = "rorr",  [MAGGI_FORCE_BODY] = "rorr",
+      [MAGGI_TORQUE_GLOBAL] = "ro-r", [MAGGI_TORQUE_BODY] = "ro-r",
+      [MAGGI_FORCE_JOINT] = "----rr", [MAGGI_FORCE_DRAG] = "ror---rrrro"};
+  const load_key keys[] = {{KEY(force, body)},      {KEY(force, reaction)},    {KEY(force, point)},
+                           {KEY(force, value)},     {KEY(force, coordinate)},  {KEY(force, effort)},
+                           {KEY(force, density)},   {KEY(force, coefficient)}, {KEY(force, area)},
+                           {KEY(force, low_speed)}, {KEY(force, wind)},        {NULL, 0}};
   maggi_force_def def;
   int type;
   maggi_status status;
@@ -165,29 +170,28 @@ maggi_status maggi_load_force(const load_build *b, const load_force *force)
   maggi_load_copy3(def.point, force->point);
   maggi_load_copy3(def.value, force->value);
   if (force->effort) def.value[0] = *force->effort;
+  def.density = number_or_zero(force->density);
+  def.coefficient = number_or_zero(force->coefficient);
+  def.area = number_or_zero(force->area);
+  def.low_speed = number_or_zero(force->low_speed);
+  maggi_load_copy3(def.wind, force->wind);
   return maggi_load_added(b, "", maggi_builder_force(b->builder, &def));
 }
 
 /* ------------------------------------------------------------------------ functions and sensors */
 
-static double number_or_zero(const double *number)
-{
-  return number ? *number : 0.0;
-}
-
 maggi_status maggi_load_function(const load_build *b, const load_function *f)
 {
   /* value; amplitude, omega, phase, offset; t0, t1, y0, y1; coefficients; times, values */
   static const char *const rules[MAGGI_FUNCTION_TYPE_COUNT] = {
-      [MAGGI_FUNCTION_CONSTANT] = "r-----------", [MAGGI_FUNCTION_POLYNOMIAL] = "---------r--",
-      [MAGGI_FUNCTION_SINE] = "-rroo-------",     [MAGGI_FUNCTION_STEP] = "-----rrrr---",
-      [MAGGI_FUNCTION_KNOTS] = "----------rr",    [MAGGI_FUNCTION_SPLINE] = "----------rr"};
-  const load_key keys[] = {{"value", f->value != NULL},   {"amplitude", f->amplitude != NULL},
-                           {"omega", f->omega != NULL},   {"phase", f->phase != NULL},
-                           {"offset", f->offset != NULL}, {"t0", f->t0 != NULL},
-                           {"t1", f->t1 != NULL},         {"y0", f->y0 != NULL},
-                           {"y1", f->y1 != NULL},         {"coefficients", f->coefficients != NULL},
-                           {"times", f->times != NULL},   {"values", f->values != NULL}};
+      [MAGGI_FUNCTION_CONSTANT] = "r",         [MAGGI_FUNCTION_POLYNOMIAL] = "---------r",
+      [MAGGI_FUNCTION_SINE] = "-rroo",         [MAGGI_FUNCTION_STEP] = "-----rrrr",
+      [MAGGI_FUNCTION_KNOTS] = "----------rr", [MAGGI_FUNCTION_SPLINE] = "----------rr"};
+  const load_key keys[] = {
+      {KEY(f, value)},  {KEY(f, amplitude)},    {KEY(f, omega)}, {KEY(f, phase)},
+      {KEY(f, offset)}, {KEY(f, t0)},           {KEY(f, t1)},    {KEY(f, y0)},
+      {KEY(f, y1)},     {KEY(f, coefficients)}, {KEY(f, times)}, {KEY(f, values)},
+      {NULL, 0}};
   maggi_function_def def;
   double scalars[4] = {0.0, 0.0, 0.0, 0.0};
   int type;
@@ -240,8 +244,8 @@ maggi_status maggi_load_sensor(const load_build *b, const load_sensor *sensor)
   static const char *const rules[MAGGI_SENSOR_TYPE_COUNT] = {[MAGGI_SENSOR_POSITION] = "r",
                                                              [MAGGI_SENSOR_VELOCITY] = "r",
                                                              [MAGGI_SENSOR_ACCELERATION] = "r",
-                                                             [MAGGI_SENSOR_ANGLES] = "-"};
-  const load_key keys[] = {{"point", sensor->point != NULL}};
+                                                             [MAGGI_SENSOR_ANGLES] = ""};
+  const load_key keys[] = {{KEY(sensor, point)}, {NULL, 0}};
   maggi_sensor_def def;
   int type;
   maggi_status status;

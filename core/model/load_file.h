@@ -134,6 +134,7 @@ typedef struct load_force {
   double *point;
   double *value;
   double *effort;
+  double *density, *coefficient, *area, *low_speed, *wind;
 } load_force;
 
 typedef struct load_function {

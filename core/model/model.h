@@ -24,6 +24,9 @@ typedef struct maggi_parameter {
   int coordinate; /* internal, of initial positions and velocities */
 } maggi_parameter;
 
+/* What is wrong with a value for a parameter: "must be positive", ..; NULL if nothing. */
+const char *maggi_parameter_wrong(const maggi_parameter *p, double value);
+
 typedef struct maggi_model_body {
   const char *name;
   int parent; /* -1: ground */

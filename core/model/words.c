@@ -7,7 +7,8 @@ static const char *const joint_words[] = {"revolute", "prismatic", "cylindrical"
                                           "planar",   "spherical", "free",        "fixed"};
 static const char *const loop_words[] = {"spherical", "revolute", "universal", "cylindrical",
                                          "prismatic"};
-static const char *const force_words[] = {"force", "force_body", "torque", "torque_body", "joint"};
+static const char *const force_words[] = {"force",       "force_body", "torque",
+                                          "torque_body", "joint",      "drag"};
 static const char *const function_words[] = {"constant", "polynomial", "sine",
                                              "step",     "knots",      "spline"};
 static const char *const sensor_words[] = {"position", "velocity", "acceleration", "angles"};

@@ -205,7 +205,7 @@ static void elements(const maggi_topo *t, long f[])
       n += 5;
       continue;
     }
-    n += 3;
+    n += t->forcekind[i] == MAGGI_FORCE_DRAG ? 3 + DOT + 3 + 4 + 6 : 3;
     if (t->forcekind[i] == MAGGI_FORCE_BODY || t->forcekind[i] == MAGGI_TORQUE_BODY) n += MUL;
     n += t->forcepoint[i] >= 0 ? 2 * WRENCH_ADD + 2 * POINT_RATE + 2 * DOT + 2 : 6 + 8 + 1;
   }
@@ -250,7 +250,7 @@ static void solve(const maggi_topo *t, int width, long f[])
   long n = t->nind;
   int i, k;
 
-  f[STAGED_maggi_reduced_force] += (DOT6 + 1L) * t->nq;
+  f[STAGED_maggi_generalised_forces] += (DOT6 + 1L) * t->nq;
   for (i = 0; i < t->ndep; ++i) {
     k = t->dep[i];
     f[STAGED_maggi_reduced_force] += 2L * columns(t->rbeg[k], t->rend[k], width);

@@ -36,6 +36,7 @@
   X(maggi_composite_inertias, "inertias")                                                         \
   X(maggi_mass_matrix, "mass matrix")                                                             \
   X(maggi_reduced_mass, "mass matrix")                                                            \
+  X(maggi_generalised_forces, "solve")                                                            \
   X(maggi_reduced_force, "solve")                                                                 \
   X(maggi_factor_mass, "solve")                                                                   \
   X(maggi_solve_mass, "solve")                                                                    \

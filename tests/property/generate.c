@@ -672,6 +672,14 @@ static void add_forces(mechanism *m, mech_random *g, int n)
     point_near(g, middle_of(m, f->body), 0.1, 0.6, f->def.point);
     for (k = 0; k < 3; ++k)
       f->def.value[k] = mech_uniform(g, -5.0, 5.0);
+    if (f->def.type == MAGGI_FORCE_DRAG) {
+      f->def.density = mech_uniform(g, 0.5, 1.5);
+      f->def.coefficient = mech_uniform(g, 0.3, 1.2);
+      f->def.area = mech_uniform(g, 0.2, 1.0);
+      f->def.low_speed = mech_uniform(g, 0.1, 0.5);
+      for (k = 0; k < 3; ++k)
+        f->def.wind[k] = mech_uniform(g, -3.0, 3.0);
+    }
     f->function = -1;
     if (m->nfunction < MECH_FUNCTIONS && chance(g, 0.4)) {
       k = mech_integer(g, MAGGI_FUNCTION_TYPE_COUNT);

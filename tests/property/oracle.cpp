@@ -461,6 +461,11 @@ void Oracle::add_loads()
       moment(d.reaction, -f);
     } else {
       Point p = drawn(d.body, d.def.point);
+      if (d.def.type == MAGGI_FORCE_DRAG) {
+        Vector3d u = p.v - vec(d.def.wind);
+        f = -0.5 * y[0] * d.def.density * d.def.coefficient * d.def.area *
+            std::hypot(u.norm(), d.def.low_speed) * u;
+      }
       force(p, f);
       force(at(d.reaction, p.r), -f);
     }

@@ -102,6 +102,7 @@ void mech_rotate(mechanism *m, const double R[9])
     turn3(R, m->force[i].def.point);
     if (m->force[i].def.type != MAGGI_FORCE_JOINT)
       turn3(R, m->force[i].def.value);
+    turn3(R, m->force[i].def.wind);
   }
   for (i = 0; i < m->nsensor; ++i)
     turn3(R, m->sensor[i].def.point);

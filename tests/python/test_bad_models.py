@@ -112,6 +112,15 @@ forces:
     point: [0, 3, -1]
     value: [1, 0, 0]
     function: pulse
+  - name: air
+    type: drag
+    body: ball
+    point: [0, 3, -0.5]
+    density: 1.2
+    coefficient: 0.47
+    area: 0.03
+    low_speed: 0.001
+    wind: [5, 0, 0]
 functions:
   - name: turn
     type: sine
@@ -354,6 +363,31 @@ ROWS = [
         "body: bell",
         '"bell"',
     ),
+    Row("drag without area", "    area: 0.03\n", "", "- name: air", '"area" is missing'),
+    Row(
+        "value of a drag",
+        "density: 1.2",
+        "value: [1, 0, 0]\n    density: 1.2",
+        "- name: air",
+        'no key "value"',
+    ),
+    Row(
+        "density of a force",
+        "function: pulse",
+        "density: 1.2",
+        "- name: push",
+        'no key "density"',
+    ),
+    Row("negative density", "density: 1.2", "density: -1.2", "density: -1.2", "negative"),
+    Row("negative area", "area: 0.03", "area: -0.03", "area: -0.03", "negative"),
+    Row(
+        "low speed of zero",
+        "low_speed: 0.001",
+        "low_speed: 0",
+        "low_speed: 0",
+        "must be positive",
+    ),
+    Row("wind too short", "wind: [5, 0, 0]", "wind: [5, 0]", "wind: [5, 0]", "3"),
     Row("unknown function", "function: pulse", "function: step", "function: step", '"step"'),
     Row("unknown kind of function", "type: knots", "type: polygon", "type: polygon", '"polygon"'),
     Row("function twice", "name: pulse", "name: turn", "name: turn\n    type: knots", "already"),

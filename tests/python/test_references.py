@@ -185,6 +185,17 @@ def test_pendulum_2000_s(maggi):
     assert numpy.sqrt(numpy.mean(numpy.square(errors))) < 1e-3
 
 
+def test_drag_fall(maggi):
+    """v = vt tanh(g t/vt); low_speed adds g/2 (low_speed/vt)^2 t at most."""
+    columns = maggi.simulate("drag-fall", 5.0, 1e-3, 50)
+    vt = math.sqrt(2.0 * 0.16 * 9.81 / (1.225 * 0.47 * 0.00407))
+    x = 9.81 * columns["t"] / vt
+    assert numpy.max(abs(columns["ball.v"] - vt * numpy.tanh(x))) < TOLERANCE * vt
+    assert numpy.max(abs(columns["ball.q"] - vt**2 / 9.81 * numpy.log(numpy.cosh(x)))) < (
+        TOLERANCE * columns["ball.q"][-1]
+    )
+
+
 REACTIONS = {"fx": "R1x", "fy": "R1y", "fz": "R1z", "mx": "M1x", "my": "M1y", "mz": "M1z"}
 
 

@@ -123,6 +123,26 @@ static maggi_force_def good_force(void)
   return d;
 }
 
+/* a force too */
+typedef maggi_force_def maggi_drag_def;
+
+static maggi_status maggi_builder_drag(maggi_builder *b, const maggi_drag_def *d)
+{
+  return maggi_builder_force(b, d);
+}
+
+static maggi_force_def good_drag(void)
+{
+  maggi_force_def d = good_force();
+
+  d.type = MAGGI_FORCE_DRAG;
+  d.density = 1.2;
+  d.coefficient = 0.5;
+  d.area = 2.0;
+  d.low_speed = 1e-3;
+  return d;
+}
+
 static const double rising[3] = {0.0, 1.0, 2.0}, falling[3] = {0.0, 2.0, 2.0};
 static const double infinite[4] = {0.0, 1.0, INFINITY, 3.0}, late[4] = {2.0, 2.0, 0.0, 1.0};
 
@@ -364,6 +384,12 @@ static void test_links(void)
   NO_MODEL(force, d.reaction = "b1", "forces.f: body and reaction are the same body");
   NO_MODEL(force, d.function = "x", "forces.f: function \"x\" does not exist");
   NO_MODEL(force, d.type = MAGGI_FORCE_JOINT, "forces.f: coordinate is missing");
+  NO_MODEL(drag, d.density = -1.0, "forces.f.density must not be negative (-1)");
+  NO_MODEL(drag, d.density = NAN, "forces.f.density must be finite (nan)");
+  NO_MODEL(drag, d.coefficient = -0.5, "forces.f.coefficient must not be negative (-0.5)");
+  NO_MODEL(drag, d.area = -2.0, "forces.f.area must not be negative (-2)");
+  NO_MODEL(drag, d.low_speed = 0.0, "forces.f.low_speed must be positive (0)");
+  NO_MODEL(drag, d.wind[1] = INFINITY, "forces.f.wind.y must be finite (inf)");
   NO_MODEL(sensor, d.body = NULL, "sensors.s: body is missing");
   NO_MODEL(sensor, d.body = "x", "sensors.s: body \"x\" does not exist");
 }

@@ -48,8 +48,8 @@ static void test_parameters(void)
   refused(d, -1, 1.0, MAGGI_E_NAME, "no parameter has the index -1");
   refused(d, 9999, 1.0, MAGGI_E_NAME, "no parameter has the index 9999");
   CHECK(isnan(maggi_data_get_parameter(d, -1)) && isnan(maggi_data_get_parameter(d, 9999)));
-  refused(d, mass, NAN, MAGGI_E_VALUE, "bodies.b.mass must be finite");
-  refused(d, mass, INFINITY, MAGGI_E_VALUE, "bodies.b.mass must be finite");
+  refused(d, mass, NAN, MAGGI_E_VALUE, "bodies.b.mass must be finite (nan)");
+  refused(d, mass, INFINITY, MAGGI_E_VALUE, "bodies.b.mass must be finite (inf)");
   refused(d, mass, -1.0, MAGGI_E_VALUE, "bodies.b.mass must not be negative (-1)");
   refused(d, INDEX("bodies.b.inertia.yy"), -1.0, MAGGI_E_VALUE,
           "bodies.b.inertia.yy must not be negative (-1)");

@@ -1,5 +1,5 @@
-/* core/kernel/element.c: forces of springs, dampers and loads, seen in the acceleration of bodies
- * whose masses are known, and their balance of action and reaction. */
+/* core/kernel/element.c: forces of springs, dampers, loads and drag, seen in the acceleration of
+ * bodies whose masses are known, and their balance of action and reaction. */
 #include "data.h"
 #include "fixture.h"
 
@@ -166,7 +166,9 @@ static maggi_model *free_bodies(void)
       "- {name: f2, type: force_body, body: b, reaction: a, point: [0.1, 2, 1.4],"
       " value: [1, 2, -3]}\n"
       "- {name: f3, type: torque, body: a, reaction: b, value: [0.5, 1, -2]}\n"
-      "- {name: f4, type: torque_body, body: b, reaction: a, value: [1, -0.5, 0.7]}\n");
+      "- {name: f4, type: torque_body, body: b, reaction: a, value: [1, -0.5, 0.7]}\n"
+      "- {name: f5, type: drag, body: a, reaction: b, point: [1, 0.5, 0], density: 2,"
+      " coefficient: 1, area: 3, low_speed: 0.1, wind: [1, 2, 3], function: f}\n");
 }
 
 /* momentum and angular momentum about the origin do not change: the moments of all forces add to
@@ -256,6 +258,69 @@ static void test_joint_load(void)
   test_free(d, m);
 }
 
+/* ---------------------------------------------------------------------------------------- drag */
+
+/* at rest in the wind of 5 m/s: 0.2 |u| u, where the other loads act in test_loads */
+static void test_wind(void)
+{
+#define AIR                                                                                        \
+  "type: drag, point: [2, 1, 1], density: 2, coefficient: 0.5, area: 0.4, low_speed: 1e-9, "       \
+  "wind: [3, 0, -4]"
+  check_load(AIR, 1.5, 0.0, -2.0, -3.0 / 0.5);
+  check_load(AIR ", function: f", 3.75, 0.0, -5.0, -7.5 / 0.5);
+#undef AIR
+}
+
+/* the velocity is that of the point, by the turn of the body too; at rest in the air the force is
+ * zero and its slope is that of low_speed.  3 kg/m of air, arm 0.5 m, inertia 2 kg m^2 */
+static void test_drag_of_a_point(void)
+{
+  maggi_model *m =
+      test_model("gravity: [0, 0, 0]\n"
+                 "bodies: [{name: b, mass: 1, inertia: {xx: 2, yy: 2, zz: 2},"
+                 " joint: {type: revolute, point: [0, 0, 0], axis: [0, 0, 1]}}]\n"
+                 "forces: [{name: air, type: drag, body: b, point: [0.5, 0, 0], density: 1,"
+                 " coefficient: 2, area: 3, low_speed: 3}]\n");
+  maggi_data *d = test_start(m);
+  double q = 0.7, v = 8.0;
+
+  CHECK_NEAR(at(d, &q, &v).a[0], -3.0 * 5.0 * 4.0 * 0.5 / 2.0, 1e-14, 0.0); /* 3^2 + 4^2 = 5^2 */
+  v = -8.0;
+  CHECK_NEAR(at(d, &q, &v).a[0], 3.0 * 5.0 * 4.0 * 0.5 / 2.0, 1e-14, 0.0);
+  v = 0.0;
+  CHECK_NEAR(at(d, &q, &v).a[0], 0.0, 0.0, 0.0);
+  v = 1e-9;
+  CHECK_NEAR(at(d, &q, &v).a[0] / v, -3.0 * 3.0 * 0.5 * 0.5 / 2.0, 1e-14, 0.0);
+  test_free(d, m);
+}
+
+/* a body falls from rest: v = vt tanh(g t/vt), vt^2 = 2 m g / (density coefficient area); what it
+ * loses goes into the air, T + V = work.  Errors: h^4, and (low_speed / vt)^2 */
+static void test_fall(void)
+{
+  const double g = 9.81, vt = sqrt(2.0 * 3.0 * g / (1.2 * 0.5 * 0.8)), h = 2e-3;
+  maggi_model *m =
+      test_model("bodies: [{name: b, mass: 3, joint: {type: prismatic, axis: [0, 0, -1]}}]\n"
+                 "forces: [{name: air, type: drag, body: b, point: [1, 2, 3], density: 1.2,"
+                 " coefficient: 0.5, area: 0.8, low_speed: 1e-6}]\n");
+  maggi_data *d = test_start(m);
+  maggi_energy e;
+  double t, v;
+  int i;
+
+  for (i = 1; i <= 10; ++i) {
+    test_step(d, h, 150);
+    t = 150.0 * h * i;
+    v = vt * tanh(g * t / vt);
+    CHECK_NEAR(test_get(d).v[0], v, 1e-11, 0.0);
+    CHECK_NEAR(test_get(d).q[0], vt * vt / g * log(cosh(g * t / vt)), 1e-11, 0.0);
+    maggi_get_energy(d, &e);
+    CHECK_NEAR(e.work, 0.5 * 3.0 * v * v - 3.0 * g * test_get(d).q[0], 1e-9, 0.0);
+  }
+  CHECK_NEAR(test_get(d).v[0], vt, 0.01, 0.0);
+  test_free(d, m);
+}
+
 int main(void)
 {
   test_slopes();
@@ -265,5 +330,8 @@ int main(void)
   test_reaction();
   test_loads();
   test_joint_load();
+  test_wind();
+  test_drag_of_a_point();
+  test_fall();
   return check_done();
 }

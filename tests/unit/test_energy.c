@@ -164,7 +164,11 @@ static void test_balance(void)
       " value: [1, 2, 3]}\n"
       "- {name: f3, type: torque, body: rocker, value: [0.1, 0.5, 0], function: f}\n"
       "- {name: f4, type: torque_body, body: crank, reaction: flap, value: [0.5, 0, 1]}\n"
-      "- {name: f5, type: joint, coordinate: flap.2, effort: 0.7, function: f}\n");
+      "- {name: f5, type: joint, coordinate: flap.2, effort: 0.7, function: f}\n"
+      "- {name: f6, type: drag, body: flap, point: [1, 1.5, 0.3], density: 1.2, coefficient: 0.8,"
+      " area: 0.5, low_speed: 0.5, wind: [1, 2, -1], function: f}\n"
+      "- {name: f7, type: drag, body: rocker, reaction: crank, point: [1, 1, 0.6], density: 1.2,"
+      " coefficient: 1, area: 0.5, low_speed: 1}\n");
   double scale, off1 = balance(m, 4e-3, &scale), off2 = balance(m, 2e-3, &scale);
   double off3 = balance(m, 1e-3, &scale);
 

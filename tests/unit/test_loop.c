@@ -1,4 +1,4 @@
-/* core/kernel/loop.c: equations of each kind of loop, their entries and right-hand side.
+/* core/kernel/loop.c: equations of each kind of loop, their rates, entries and right-hand side.
  *
  * Two arms of three joints in general position are joined at their ends.  The coordinates are put
  * anywhere, with the loop wide open: the formulas must hold there too. */
@@ -84,30 +84,41 @@ static void test_residual(int kind, maggi_data *d)
   }
 }
 
-/* columns of Phi_z of a loop by the building blocks.  A joint below both sides is not in the path:
- * it turns an open vector, w x (r_a - r_b), and leaves scalars and closed loops alone. */
+static int is_vector(const maggi_topo *t, int prim)
+{
+  return t->primkind[prim] == MAGGI_PRIM_POINT || t->primkind[prim] == MAGGI_PRIM_AXIS;
+}
+
+/* columns of Phi_z of a loop by the building blocks */
 static void jacobian(const maggi_data *d, double phi[6][TEST_COORDINATES_MAX])
 {
   const maggi_topo *t = &d->t;
   double e[3];
-  int i, k, c, n;
+  int i, k, c;
 
   memset(phi, 0, 6 * sizeof *phi);
   for (i = 0; i < t->nprim; ++i)
-    for (k = t->loopcommon[0]; k < t->nbody; k = t->parent[k])
-      if (t->primkind[i] == MAGGI_PRIM_POINT || t->primkind[i] == MAGGI_PRIM_AXIS) {
-        cross3(d->b[k] + 3, d->res + t->primrow[i], e);
-        for (c = 0; c < 3; ++c) phi[t->primrow[i] + c][t->qid[k]] = e[c];
-      }
-  for (i = 0; i < t->nprim; ++i) {
-    n = t->primkind[i] == MAGGI_PRIM_POINT || t->primkind[i] == MAGGI_PRIM_AXIS ? 3 : 1;
     for (c = 0; c < t->pathadr[1]; ++c) {
       maggi_prim_entry(t->primkind[i], t->pathside[c], d->prim0[i], d->b[t->qbody[t->pathq[c]]],
                        d->r[t->primpa[i]], d->r[t->primpb[i]], d->dir[t->primda[i]],
                        d->dir[t->primdb[i]], e);
-      for (k = 0; k < n; ++k) phi[t->primrow[i] + k][t->pathq[c]] = e[k];
+      for (k = 0; k < (is_vector(t, i) ? 3 : 1); ++k) phi[t->primrow[i] + k][t->pathq[c]] = e[k];
     }
-  }
+}
+
+/* A joint below both sides is not in the path: it turns an open vector, w x (r_a - r_b), and leaves
+ * scalars and closed loops alone. */
+static void add_carriers(const maggi_data *d, double phi[6][TEST_COORDINATES_MAX])
+{
+  const maggi_topo *t = &d->t;
+  double e[3];
+  int i, k, c;
+
+  for (i = 0; i < t->nprim; ++i)
+    for (k = t->loopcommon[0]; k < t->nbody && is_vector(t, i); k = t->parent[k]) {
+      cross3(d->b[k] + 3, d->res + t->primrow[i], e);
+      for (c = 0; c < 3; ++c) phi[t->primrow[i] + c][t->qid[k]] = e[c];
+    }
 }
 
 /* all columns, those of coordinates outside the path as zeros */
@@ -120,6 +131,7 @@ static void test_entries(maggi_data *d, const double *q0)
 
   residual(d, q0, l1);
   jacobian(d, phi);
+  add_carriers(d, phi);
   memcpy(q, q0, sizeof q);
   for (i = 0; i < d->t.nq; ++i) {
     q[i] = q0[i] - h;
@@ -144,12 +156,33 @@ static void test_entries(maggi_data *d, const double *q0)
   CHECK_NEAR(e2 / e1, 4.0, 1e-3, 0.0);
 }
 
+/* the first derivative of the equations is Phi_z v, less what carriers do to open vectors */
+static void test_rates(maggi_data *d, const double *q0, const double *v)
+{
+  double phi[6][TEST_COORDINATES_MAX], expected, res[6];
+  const maggi_topo *t = &d->t;
+  int i, k;
+
+  residual(d, q0, res);
+  jacobian(d, phi);
+  maggi_velocities(t, d->p, (void *)d->b, v, d->Z, d->Z0);
+  maggi_point_velocities(t, 0, t->npointdyn, (void *)d->r, (void *)d->Z, d->rv);
+  maggi_loop_rates(t, d->prim0, (void *)d->r, (void *)d->dir, (void *)d->rv, (void *)d->Z, d->rate);
+  for (k = 0; k < t->nrow; ++k) {
+    expected = 0.0;
+    for (i = 0; i < t->nq; ++i) expected += phi[k][i] * v[i];
+    CHECK(fabs(expected) > 1e-4);
+    CHECK_NEAR(d->rate[k], expected, 1e-13, 1e-14);
+  }
+}
+
 /* along q0 + v t the second derivative of the equations is minus gamma, by two differences of
- * order 2: h^4, and round-off 1e-16 / h^2 */
+ * order 2: h^4, and round-off 1e-16 / h^2; less what the acceleration of carriers does to open
+ * vectors */
 static void test_gamma(maggi_data *d, const double *q0, const double *v)
 {
   const double h = 4e-3;
-  double q[TEST_COORDINATES_MAX], gam[6], res[5][6], f1, f2, e1 = 0.0, e2 = 0.0;
+  double q[TEST_COORDINATES_MAX], gam[6], res[5][6], turning[6] = {0}, f1, f2, e1 = 0.0, e2 = 0.0;
   const maggi_topo *t = &d->t;
   int i, k;
 
@@ -164,7 +197,11 @@ static void test_gamma(maggi_data *d, const double *q0, const double *v)
                             (void *)d->Z0, d->r0a);
   maggi_loop_gamma(t, d->prim0, (void *)d->r, (void *)d->dir, (void *)d->rv, (void *)d->r0a,
                    (void *)d->Z, (void *)d->Z0, gam);
+  for (i = 0; i < t->nprim; ++i)
+    if (is_vector(t, i))
+      cross3(d->Z0[t->loopcommon[0]] + 3, d->res + t->primrow[i], turning + t->primrow[i]);
   for (k = 0; k < t->nrow; ++k) {
+    gam[k] -= turning[k];
     f1 = (res[3][k] - 2.0 * res[2][k] + res[1][k]) / (h * h);
     f2 = (res[4][k] - 2.0 * res[2][k] + res[0][k]) / (4.0 * h * h);
     e1 += fabs(f1 + gam[k]);
@@ -195,6 +232,7 @@ static void test_kind(int kind)
     residual(d, q, res);
     test_residual(kind, d);
     test_entries(d, q);
+    test_rates(d, q, v);
     test_gamma(d, q, v);
   }
   test_free(d, m);
