@@ -1,5 +1,5 @@
 /* After maggi_data_reset nothing is allocated or freed any more, also when the independent
- * coordinates change.  The allocator of the C library is replaced by one that counts and passes on
+ * coordinates change; nor by derivatives after maggi_derivative_create.  The allocator of the C library is replaced by one that counts and passes on
  * (glibc). */
 #include "fixture.h"
 
@@ -68,13 +68,21 @@ void free(void *p)
   __libc_free(p);
 }
 
+enum { DIRECTIONS = 9, PARAMETERS_MAX = 2048 };
+
 /* calls of the allocator in 2000 steps with everything asked after each */
 static long count(maggi_model *m, maggi_data *d, double h)
 {
   static double q[64], v[64], a[64], w[64 * 6], s[64], lambda[256], drives[64];
+  static double X[64 * DIRECTIONS], V[64 * DIRECTIONS], A[64 * DIRECTIONS];
+  static double P[PARAMETERS_MAX * DIRECTIONS], p[PARAMETERS_MAX];
+  maggi_derivative *D;
   maggi_energy e;
-  long before = calls;
+  long before;
   int i, failed = 0;
+
+  if (!CHECK(maggi_derivative_create(d, DIRECTIONS, &D) == MAGGI_OK)) exit(1);
+  before = calls;
 
   for (i = 0; i < 2000; ++i) {
     failed += maggi_step(d, h) != MAGGI_OK;
@@ -84,10 +92,17 @@ static long count(maggi_model *m, maggi_data *d, double h)
     maggi_get_multipliers(d, lambda);
     maggi_get_drives(d, drives);
     maggi_get_energy(d, &e);
+    failed += maggi_linearise(D) != MAGGI_OK;
+    maggi_motion_jvp(D, q, v, P, v, a);
+    maggi_motion_jac(D, DIRECTIONS, X, X, P, V, A);
+    maggi_motion_vjp(D, v, a, v, a, p);
+    maggi_motion_hvp(D, v, a, q, v, P, v, a, p);
   }
   before = calls - before;
+  maggi_derivative_free(D);
   CHECK(failed == 0);
   CHECK(test_coordinates(m) <= 64);
+  CHECK(maggi_parameter_path(m, PARAMETERS_MAX) == NULL);
   return before;
 }
 

@@ -236,7 +236,7 @@ typedef struct maggi_joint_spring_def {
   double preload;
 } maggi_joint_spring_def;
 
-/* An applied load: value times function(t), or value alone when function is NULL.
+/* An applied load: what its type says times function(t), or alone when function is NULL.
  *
  *   MAGGI_FORCE_GLOBAL   force [N] at a point of a body, components in global axes
  *   MAGGI_FORCE_BODY     force [N] at a point of a body, components in body axes, i.e. in the global
@@ -244,9 +244,14 @@ typedef struct maggi_joint_spring_def {
  *   MAGGI_TORQUE_GLOBAL  torque [N m] on a body, global axes
  *   MAGGI_TORQUE_BODY    torque [N m] on a body, body axes
  *   MAGGI_FORCE_JOINT    torque or force on a joint coordinate: value[0]
+ *   MAGGI_FORCE_DRAG     drag [N] of the air at a point of a body, global axes:
+ *                          -density/2 coefficient area |u| u,   |u| = sqrt(u.u + low_speed^2),
+ *                        u = velocity of the point - wind.  Below low_speed, which is positive, it
+ *                        is linear in u and so has all derivatives at rest, where sqrt(u.u) has none
  *
  * The same load acts reversed on `reaction` when that names a body (NULL: the ground takes it).
- * Paths: forces.NAME.value.x .. (.value for a joint), forces.NAME.point.x ..
+ * Paths: forces.NAME.value.x .. (.value for a joint), forces.NAME.point.x ..; of a drag .density,
+ * .coefficient, .area, .low_speed, .wind.x ..
  */
 typedef enum maggi_force_type {
   MAGGI_FORCE_GLOBAL,
@@ -254,18 +259,21 @@ typedef enum maggi_force_type {
   MAGGI_TORQUE_GLOBAL,
   MAGGI_TORQUE_BODY,
   MAGGI_FORCE_JOINT,
+  MAGGI_FORCE_DRAG,
   MAGGI_FORCE_TYPE_COUNT
 } maggi_force_type;
 
 typedef struct maggi_force_def {
   const char *name;
   maggi_force_type type;
-  const char *body;       /* of the first four types */
+  const char *body;       /* not of MAGGI_FORCE_JOINT */
   const char *reaction;   /* or NULL */
   const char *coordinate; /* of MAGGI_FORCE_JOINT, named as in maggi_joint_spring_def */
   const char *function;   /* or NULL */
   double point[3];
   double value[3];
+  double density, coefficient, area, low_speed; /* of MAGGI_FORCE_DRAG, kg/m^3, -, m^2, m/s */
+  double wind[3];                               /* m/s */
 } maggi_force_def;
 
 /* A function of time, for motions and loads.
@@ -360,8 +368,9 @@ int maggi_sensor_type_find(const char *name);
  * in    def     copied, strings too
  * status        MAGGI_OK; MAGGI_E_MEMORY; MAGGI_E_MODEL for what is wrong in itself (no name, a name
  *               twice, longer than 100 characters or with others than letters, digits, _ and -, a
- *               number that is not finite, a negative mass, a zero axis, ..); what refers to other parts is checked by
- *               maggi_model_create.  The text is in maggi_builder_message, until the next call.
+ *               number that is not finite, a negative mass, a zero axis, ..); what refers to other
+ *               parts, and other bounds of parameters, are checked by maggi_model_create.  The text
+ *               is in maggi_builder_message, until the next call.
  * memory        the builder owns its copies; maggi_builder_free(NULL) does nothing
  * threads       a builder belongs to one thread
  * since         0.1
@@ -580,6 +589,113 @@ void maggi_get_loop_state(const maggi_data *d, maggi_loop_state *state);
 
 /* Whether coordinate is independent at present. */
 int maggi_coordinate_is_independent(const maggi_data *d, int coordinate);
+
+/* ------------------------------------------------------------------------------ derivatives */
+
+/* Exact derivatives of the equations of motion at one state: of all velocities v and accelerations a
+ *
+ *   (v, a) = f(q, v_i, p)        q   positions of all coordinates
+ *                                v_i velocities of the independent ones
+ *                                p   parameters
+ *
+ * f is what one evaluation computes: dependent velocities and accelerations solve the loop equations
+ * at the position q, whether it closes them or not, so that f is a function of each entry of q by
+ * itself.  Which coordinates are independent is held.  Positions and velocities of guided coordinates
+ * are functions of time and p: as directions they are ignored, as gradients they are 0; so are
+ * velocities of dependent coordinates.  Parameters that are initial positions and velocities do not
+ * enter f.  The joint point of the first body on the ground is the origin of the computation, on which f
+ * does not depend; as any other joint point it does.
+ *
+ * Derivation: core/sensitivity/derivative.h; [1] chapter 5.
+ */
+typedef struct maggi_derivative maggi_derivative;
+
+/* Workspace of derivatives of one simulation.
+ *
+ * in    d           outlives it
+ *       ndirection  directions of maggi_motion_jac whose parameters it treats together, at least 0
+ * status            MAGGI_OK, MAGGI_E_MEMORY
+ * memory            all of it here when d has been reset before, else by the first maggi_linearise; more
+ *                   only when a new choice of independent coordinates needs it.
+ *                   maggi_derivative_free(NULL) does nothing
+ * threads           one thread for d and all its derivatives
+ * since             0.2
+ */
+maggi_status maggi_derivative_create(maggi_data *d, int ndirection, maggi_derivative **derivative);
+void maggi_derivative_free(maggi_derivative *D);
+
+/* What the derivatives at the present state of the simulation share; before the functions below, after
+ * each maggi_data_reset, maggi_data_set_state and maggi_step, with no parameter set in between.  Near a
+ * singular position of a loop, where a step ends between two evaluations, it evaluates the state.
+ *
+ * status    MAGGI_OK; MAGGI_E_MODEL before a reset; MAGGI_E_NOT_FINITE at a singular position;
+ *           MAGGI_E_MEMORY; text in maggi_data_message
+ * since     0.2
+ */
+maggi_status maggi_linearise(maggi_derivative *D);
+
+/* Derivative of f along one direction.
+ *
+ * in    q, v     direction of positions and velocities        (coordinates)  NULL: zero
+ *       p        direction of parameters                      (parameters)   NULL: zero
+ * out   v_out    derivative of velocities                     (coordinates)  NULL: not wanted
+ *       a_out    derivative of accelerations                  (coordinates)  NULL: not wanted
+ *
+ * memory         none allocated; outputs may be the inputs
+ * threads        one thread for d and all its derivatives
+ * since          0.2
+ */
+void maggi_motion_jvp(maggi_derivative *D, const double *q, const double *v, const double *p,
+                      double *v_out, double *a_out);
+
+/* Derivatives of f along n directions, for about the price of n / 8 of one.
+ *
+ * in    n        number of directions, of any size
+ *       q, v     directions, row by row with the direction last    (coordinates x n)  NULL: zero
+ *       p        the same of parameters                            (parameters x n)   NULL: zero
+ * out   v_out    derivatives of velocities                         (coordinates x n)  NULL: not wanted
+ *       a_out    derivatives of accelerations                      (coordinates x n)  NULL: not wanted
+ *
+ * memory         none allocated; outputs must not be the inputs
+ * threads        one thread for d and all its derivatives
+ * since          0.2
+ */
+void maggi_motion_jac(maggi_derivative *D, int n, const double *q, const double *v, const double *p,
+                      double *v_out, double *a_out);
+
+/* Gradient of the scalar v_bar.v + a_bar.a with respect to everything.
+ *
+ * in    v_bar    weights of velocities                              (coordinates)  NULL: zero
+ *       a_bar    weights of accelerations                           (coordinates)  NULL: zero
+ * out   q_out    gradient with respect to positions                 (coordinates)  NULL: not wanted
+ *       v_out    with respect to independent velocities             (coordinates)  NULL: not wanted
+ *       p_out    with respect to parameters                         (parameters)   NULL: not wanted
+ *
+ * memory         none allocated; outputs may be the inputs
+ * threads        one thread for d and all its derivatives
+ * since          0.2
+ */
+void maggi_motion_vjp(maggi_derivative *D, const double *v_bar, const double *a_bar, double *q_out,
+                      double *v_out, double *p_out);
+
+/* Second derivative of the scalar v_bar.v + a_bar.a times one direction: the change along it of the
+ * gradient that maggi_motion_vjp computes.
+ *
+ * in    v_bar    weights of velocities                              (coordinates)  NULL: zero
+ *       a_bar    weights of accelerations                           (coordinates)  NULL: zero
+ *       q, v     direction of positions and velocities              (coordinates)  NULL: zero
+ *       p        direction of parameters                            (parameters)   NULL: zero
+ * out   q_out    change of the gradient by positions                (coordinates)  NULL: not wanted
+ *       v_out    of that by independent velocities                  (coordinates)  NULL: not wanted
+ *       p_out    of that by parameters                              (parameters)   NULL: not wanted
+ *
+ * memory         none allocated; outputs may be the inputs
+ * threads        one thread for d and all its derivatives
+ * since          0.2
+ */
+void maggi_motion_hvp(maggi_derivative *D, const double *v_bar, const double *a_bar,
+                      const double *q, const double *v, const double *p, double *q_out,
+                      double *v_out, double *p_out);
 
 #ifdef __cplusplus
 }

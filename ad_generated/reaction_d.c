@@ -1,0 +1,239 @@
+/* Tangent of core/kernel/reaction.c.
+ * Written by tools/tapenade/generate: edit the kernel, then `make regenerate`. */
+#include "maggi_ad.h"
+
+/* adds to F what the loops exert on bodies; what open ones would exert on the joints that carry both
+ * sides is left out, as in Phi_z */
+void maggi_loop_forces_d(const maggi_topo *t, const double prim0[restrict t->nprim],
+                         const double prim0d[restrict t->nprim],
+                         const double r[restrict t->npoint][3],
+                         const double rd[restrict t->npoint][3],
+                         const double dir[restrict t->ndir][3],
+                         const double dird[restrict t->ndir][3],
+                         const double lambda[restrict t->nrow],
+                         const double lambdad[restrict t->nrow], double F[restrict t->nbody + 1][6],
+                         double Fd[restrict t->nbody + 1][6])
+{
+  int c, i;
+  double c20d, c21d, c22d, c30d, c31d, c32d, ca0_2d, ca0d, ca1_2d, ca1d, ca2_2d, ca2d, cb20_2d,
+      cb20d, cb21_2d, cb21d, cb22_2d, cb22d, dir_i0, dir_i0_2, dir_i0_2d, dir_i0_3, dir_i0_3d,
+      dir_i0_4, dir_i0_4d, dir_i0d, dir_i1, dir_i1_2, dir_i1_2d, dir_i1_3, dir_i1_3d, dir_i1_4,
+      dir_i1_4d, dir_i1d, dir_i2, dir_i2_2, dir_i2_2d, dir_i2_3, dir_i2_3d, dir_i2_4, dir_i2_4d,
+      dir_i2d, e0, e0d, e1, e1d, e20, e20d, e21, e21d, e22, e22d, e2_2, e2_2d, fa0, fa0d, fa1, fa1d,
+      fa2, fa2d, fb0, fb0d, fb1, fb1d, fb2, fb2d, inv, inv2, inv3, l0, l0d, l1, l1d, l20, l20d, l21,
+      l21d, l22, l22d, l2_2, l2_2d, l30, l30d, l31, l31d, l32, l32d, lambda_i, lambda_id, n0, n0d,
+      n1, n1d, n2, n2d, r_i0, r_i0_2, r_i0_2d, r_i0_3, r_i0_3d, r_i0d, r_i1, r_i1_2, r_i1_2d,
+      r_i1_3, r_i1_3d, r_i1d, r_i2, r_i2_2, r_i2_2d, r_i2_3, r_i2_3d, r_i2d, t2, t2d, t3, t3d, t4,
+      t4d;
+
+  (void)F;
+  for (i = 0; i < t->nprim; ++i) {
+    /* wrench at P that a building block exerts on body a and body b: - Phi^T lambda */
+    if (t->primkind[i] == MAGGI_PRIM_AXIS) {
+      l0 = lambda[t->primrow[i]];
+      l0d = lambdad[t->primrow[i]];
+      l1 = lambda[t->primrow[i] + 1];
+      l1d = lambdad[t->primrow[i] + 1];
+      l2_2 = lambda[t->primrow[i] + 2];
+      l2_2d = lambdad[t->primrow[i] + 2];
+      dir_i2 = dir[t->primda[i]][2];
+      dir_i2d = dird[t->primda[i]][2];
+      dir_i1 = dir[t->primda[i]][1];
+      dir_i1d = dird[t->primda[i]][1];
+      ca0d = l1d * dir_i2 + l1 * dir_i2d - (l2_2d * dir_i1 + l2_2 * dir_i1d);
+      dir_i0 = dir[t->primda[i]][0];
+      dir_i0d = dird[t->primda[i]][0];
+      ca1d = l2_2d * dir_i0 + l2_2 * dir_i0d - (l0d * dir_i2 + l0 * dir_i2d);
+      ca2d = l0d * dir_i1 + l0 * dir_i1d - (l1d * dir_i0 + l1 * dir_i0d);
+      dir_i1_2 = dir[t->primdb[i]][1];
+      dir_i1_2d = dird[t->primdb[i]][1];
+      dir_i2_2 = dir[t->primdb[i]][2];
+      dir_i2_2d = dird[t->primdb[i]][2];
+      cb20d = dir_i1_2d * l2_2 + dir_i1_2 * l2_2d - (dir_i2_2d * l1 + dir_i2_2 * l1d);
+      dir_i0_2 = dir[t->primdb[i]][0];
+      dir_i0_2d = dird[t->primdb[i]][0];
+      cb21d = dir_i2_2d * l0 + dir_i2_2 * l0d - (dir_i0_2d * l2_2 + dir_i0_2 * l2_2d);
+      cb22d = dir_i0_2d * l1 + dir_i0_2 * l1d - (dir_i1_2d * l0 + dir_i1_2 * l0d);
+      Fd[t->primba[i]][3] += ca0d;
+      Fd[t->primba[i]][4] += ca1d;
+      Fd[t->primba[i]][5] += ca2d;
+      Fd[t->primbb[i]][3] += cb20d;
+      Fd[t->primbb[i]][4] += cb21d;
+      Fd[t->primbb[i]][5] += cb22d;
+    } else if (t->primkind[i] == MAGGI_PRIM_ANGLE) {
+      dir_i1_3 = dir[t->primdb[i]][1];
+      dir_i1_3d = dird[t->primdb[i]][1];
+      dir_i2_3 = dir[t->primda[i]][2];
+      dir_i2_3d = dird[t->primda[i]][2];
+      dir_i2_4 = dir[t->primdb[i]][2];
+      dir_i2_4d = dird[t->primdb[i]][2];
+      dir_i1_4 = dir[t->primda[i]][1];
+      dir_i1_4d = dird[t->primda[i]][1];
+      n0 = dir_i1_3 * dir_i2_3 - dir_i2_4 * dir_i1_4;
+      n0d = dir_i1_3d * dir_i2_3 + dir_i1_3 * dir_i2_3d - (dir_i2_4d * dir_i1_4 + dir_i2_4 *
+          dir_i1_4d);
+      dir_i0_3 = dir[t->primda[i]][0];
+      dir_i0_3d = dird[t->primda[i]][0];
+      dir_i0_4 = dir[t->primdb[i]][0];
+      dir_i0_4d = dird[t->primdb[i]][0];
+      n1 = dir_i2_4 * dir_i0_3 - dir_i0_4 * dir_i2_3;
+      n1d = dir_i2_4d * dir_i0_3 + dir_i2_4 * dir_i0_3d - (dir_i0_4d * dir_i2_3 + dir_i0_4 *
+          dir_i2_3d);
+      n2 = dir_i0_4 * dir_i1_4 - dir_i1_3 * dir_i0_3;
+      n2d = dir_i0_4d * dir_i1_4 + dir_i0_4 * dir_i1_4d - (dir_i1_3d * dir_i0_3 + dir_i1_3 *
+          dir_i0_3d);
+      lambda_i = lambda[t->primrow[i]];
+      lambda_id = lambdad[t->primrow[i]];
+      ca0_2d = lambda_id * n0 + lambda_i * n0d;
+      cb20_2d = -(lambda_id * n0) - lambda_i * n0d;
+      ca1_2d = lambda_id * n1 + lambda_i * n1d;
+      cb21_2d = -(lambda_id * n1) - lambda_i * n1d;
+      ca2_2d = lambda_id * n2 + lambda_i * n2d;
+      cb22_2d = -(lambda_id * n2) - lambda_i * n2d;
+      Fd[t->primba[i]][3] += ca0_2d;
+      Fd[t->primba[i]][4] += ca1_2d;
+      Fd[t->primba[i]][5] += ca2_2d;
+      Fd[t->primbb[i]][3] += cb20_2d;
+      Fd[t->primbb[i]][4] += cb21_2d;
+      Fd[t->primbb[i]][5] += cb22_2d;
+    } else {
+      if (t->primkind[i] == MAGGI_PRIM_POINT) {
+        fb0 = lambda[t->primrow[i]];
+        fb0d = lambdad[t->primrow[i]];
+      } else if (t->primkind[i] == MAGGI_PRIM_PLANE) {
+        fb0 = lambda[t->primrow[i]] * dir[t->primdb[i]][0];
+        fb0d = lambdad[t->primrow[i]] * dir[t->primdb[i]][0] + lambda[t->primrow[i]] *
+            dird[t->primdb[i]][0];
+      } else {
+        t2 = lambda[t->primrow[i]] * (r[t->primpa[i]][0] - r[t->primpb[i]][0]) / prim0[i];
+        inv = 1.0 / prim0[i];
+        t2d = (lambdad[t->primrow[i]] * (r[t->primpa[i]][0] - r[t->primpb[i]][0]) +
+            lambda[t->primrow[i]] * (rd[t->primpa[i]][0] - rd[t->primpb[i]][0]) - t2 * prim0d[i]) *
+            inv;
+        fb0 = t2;
+        fb0d = t2d;
+      }
+      fa0 = -fb0;
+      fa0d = -fb0d;
+      if (t->primkind[i] == MAGGI_PRIM_POINT) {
+        fb1 = lambda[t->primrow[i] + 1];
+        fb1d = lambdad[t->primrow[i] + 1];
+      } else if (t->primkind[i] == MAGGI_PRIM_PLANE) {
+        fb1 = lambda[t->primrow[i]] * dir[t->primdb[i]][1];
+        fb1d = lambdad[t->primrow[i]] * dir[t->primdb[i]][1] + lambda[t->primrow[i]] *
+            dird[t->primdb[i]][1];
+      } else {
+        t3 = lambda[t->primrow[i]] * (r[t->primpa[i]][1] - r[t->primpb[i]][1]) / prim0[i];
+        inv2 = 1.0 / prim0[i];
+        t3d = (lambdad[t->primrow[i]] * (r[t->primpa[i]][1] - r[t->primpb[i]][1]) +
+            lambda[t->primrow[i]] * (rd[t->primpa[i]][1] - rd[t->primpb[i]][1]) - t3 * prim0d[i]) *
+            inv2;
+        fb1 = t3;
+        fb1d = t3d;
+      }
+      fa1 = -fb1;
+      fa1d = -fb1d;
+      if (t->primkind[i] == MAGGI_PRIM_POINT) {
+        fb2 = lambda[t->primrow[i] + 2];
+        fb2d = lambdad[t->primrow[i] + 2];
+      } else if (t->primkind[i] == MAGGI_PRIM_PLANE) {
+        fb2 = lambda[t->primrow[i]] * dir[t->primdb[i]][2];
+        fb2d = lambdad[t->primrow[i]] * dir[t->primdb[i]][2] + lambda[t->primrow[i]] *
+            dird[t->primdb[i]][2];
+      } else {
+        t4 = lambda[t->primrow[i]] * (r[t->primpa[i]][2] - r[t->primpb[i]][2]) / prim0[i];
+        inv3 = 1.0 / prim0[i];
+        t4d = (lambdad[t->primrow[i]] * (r[t->primpa[i]][2] - r[t->primpb[i]][2]) +
+            lambda[t->primrow[i]] * (rd[t->primpa[i]][2] - rd[t->primpb[i]][2]) - t4 * prim0d[i]) *
+            inv3;
+        fb2 = t4;
+        fb2d = t4d;
+      }
+      fa2 = -fb2;
+      fa2d = -fb2d;
+      Fd[t->primba[i]][0] += fa0d;
+      Fd[t->primba[i]][1] += fa1d;
+      Fd[t->primba[i]][2] += fa2d;
+      r_i1 = r[t->primpa[i]][1];
+      r_i1d = rd[t->primpa[i]][1];
+      r_i2 = r[t->primpa[i]][2];
+      r_i2d = rd[t->primpa[i]][2];
+      Fd[t->primba[i]][3] += r_i1d * fa2 + r_i1 * fa2d - (r_i2d * fa1 + r_i2 * fa1d);
+      r_i0 = r[t->primpa[i]][0];
+      r_i0d = rd[t->primpa[i]][0];
+      Fd[t->primba[i]][4] += r_i2d * fa0 + r_i2 * fa0d - (r_i0d * fa2 + r_i0 * fa2d);
+      Fd[t->primba[i]][5] += r_i0d * fa1 + r_i0 * fa1d - (r_i1d * fa0 + r_i1 * fa0d);
+      if (t->primkind[i] == MAGGI_PRIM_PLANE) {
+        Fd[t->primbb[i]][0] += fb0d;
+        Fd[t->primbb[i]][1] += fb1d;
+        Fd[t->primbb[i]][2] += fb2d;
+        r_i1_2 = r[t->primpa[i]][1];
+        r_i1_2d = rd[t->primpa[i]][1];
+        r_i2_2 = r[t->primpa[i]][2];
+        r_i2_2d = rd[t->primpa[i]][2];
+        Fd[t->primbb[i]][3] += r_i1_2d * fb2 + r_i1_2 * fb2d - (r_i2_2d * fb1 + r_i2_2 * fb1d);
+        r_i0_2 = r[t->primpa[i]][0];
+        r_i0_2d = rd[t->primpa[i]][0];
+        Fd[t->primbb[i]][4] += r_i2_2d * fb0 + r_i2_2 * fb0d - (r_i0_2d * fb2 + r_i0_2 * fb2d);
+        Fd[t->primbb[i]][5] += r_i0_2d * fb1 + r_i0_2 * fb1d - (r_i1_2d * fb0 + r_i1_2 * fb0d);
+      } else {
+        Fd[t->primbb[i]][0] += fb0d;
+        Fd[t->primbb[i]][1] += fb1d;
+        Fd[t->primbb[i]][2] += fb2d;
+        r_i1_3 = r[t->primpb[i]][1];
+        r_i1_3d = rd[t->primpb[i]][1];
+        r_i2_3 = r[t->primpb[i]][2];
+        r_i2_3d = rd[t->primpb[i]][2];
+        Fd[t->primbb[i]][3] += r_i1_3d * fb2 + r_i1_3 * fb2d - (r_i2_3d * fb1 + r_i2_3 * fb1d);
+        r_i0_3 = r[t->primpb[i]][0];
+        r_i0_3d = rd[t->primpb[i]][0];
+        Fd[t->primbb[i]][4] += r_i2_3d * fb0 + r_i2_3 * fb0d - (r_i0_3d * fb2 + r_i0_3 * fb2d);
+        Fd[t->primbb[i]][5] += r_i0_3d * fb1 + r_i0_3 * fb1d - (r_i1_3d * fb0 + r_i1_3 * fb0d);
+      }
+    }
+  }
+  for (i = 0; i < t->nprim; ++i) {
+    c = t->loopcommon[t->primloop[i]];
+    if (c < t->nbody && t->primkind[i] == MAGGI_PRIM_POINT) {
+      e0 = r[t->primpa[i]][0] - r[t->primpb[i]][0];
+      /* the moment of an open pair of forces, which no joint of the loop takes */
+      e0d = rd[t->primpa[i]][0] - rd[t->primpb[i]][0];
+      l20 = lambda[t->primrow[i]];
+      l20d = lambdad[t->primrow[i]];
+      e1 = r[t->primpa[i]][1] - r[t->primpb[i]][1];
+      e1d = rd[t->primpa[i]][1] - rd[t->primpb[i]][1];
+      l21 = lambda[t->primrow[i] + 1];
+      l21d = lambdad[t->primrow[i] + 1];
+      e2_2 = r[t->primpa[i]][2] - r[t->primpb[i]][2];
+      e2_2d = rd[t->primpa[i]][2] - rd[t->primpb[i]][2];
+      l22 = lambda[t->primrow[i] + 2];
+      l22d = lambdad[t->primrow[i] + 2];
+      c20d = e1d * l22 + e1 * l22d - (e2_2d * l21 + e2_2 * l21d);
+      c21d = e2_2d * l20 + e2_2 * l20d - (e0d * l22 + e0 * l22d);
+      c22d = e0d * l21 + e0 * l21d - (e1d * l20 + e1 * l20d);
+      Fd[c][3] += c20d;
+      Fd[c][4] += c21d;
+      Fd[c][5] += c22d;
+    } else if (c < t->nbody && t->primkind[i] == MAGGI_PRIM_AXIS) {
+      e20 = dir[t->primda[i]][0] - dir[t->primdb[i]][0];
+      /* the moment of an open pair of forces, which no joint of the loop takes */
+      e20d = dird[t->primda[i]][0] - dird[t->primdb[i]][0];
+      l30 = lambda[t->primrow[i]];
+      l30d = lambdad[t->primrow[i]];
+      e21 = dir[t->primda[i]][1] - dir[t->primdb[i]][1];
+      e21d = dird[t->primda[i]][1] - dird[t->primdb[i]][1];
+      l31 = lambda[t->primrow[i] + 1];
+      l31d = lambdad[t->primrow[i] + 1];
+      e22 = dir[t->primda[i]][2] - dir[t->primdb[i]][2];
+      e22d = dird[t->primda[i]][2] - dird[t->primdb[i]][2];
+      l32 = lambda[t->primrow[i] + 2];
+      l32d = lambdad[t->primrow[i] + 2];
+      c30d = e21d * l32 + e21 * l32d - (e22d * l31 + e22 * l31d);
+      c31d = e22d * l30 + e22 * l30d - (e20d * l32 + e20 * l32d);
+      c32d = e20d * l31 + e20 * l31d - (e21d * l30 + e21 * l30d);
+      Fd[c][3] += c30d;
+      Fd[c][4] += c31d;
+      Fd[c][5] += c32d;
+    }
+  }
+}

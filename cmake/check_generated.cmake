@@ -1,0 +1,28 @@
+# Are the generated files those of the kernel as it is?  Needs no Python: MANIFEST has the checksums.
+#
+#   cmake -D SOURCE=project -D FOLDER=ad_generated -D TYPE=command -P check_generated.cmake
+
+if(NOT EXISTS ${FOLDER}/MANIFEST)
+  message(FATAL_ERROR "${FOLDER}/MANIFEST is missing: type ${TYPE}")
+endif()
+file(STRINGS ${FOLDER}/MANIFEST lines REGEX "^(read|written) ")
+foreach(line IN LISTS lines)
+  string(REGEX MATCH "^([a-z]+) +([0-9a-f]+) +(.*)$" line "${line}")
+  set(verb ${CMAKE_MATCH_1})
+  set(expected ${CMAKE_MATCH_2})
+  set(name ${CMAKE_MATCH_3})
+  if(verb STREQUAL "read")
+    set(path ${SOURCE}/${name})
+    set(reason "${name} changed after the derivatives were generated")
+  else()
+    set(path ${FOLDER}/${name})
+    set(reason "${path} is not as it was generated")
+  endif()
+  set(found "")
+  if(EXISTS ${path})
+    file(SHA256 ${path} found)
+  endif()
+  if(NOT found STREQUAL expected)
+    message(FATAL_ERROR "${reason}: type ${TYPE}")
+  endif()
+endforeach()

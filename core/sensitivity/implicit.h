@@ -1,0 +1,45 @@
+/* Derivatives of the linear solves of an evaluation, by hand.  The names say the mode, as those of
+ * generated functions: _d tangent, _dv MAGGI_NDIR tangents, _b adjoint, _b_d tangent of the adjoint. */
+#ifndef MAGGI_IMPLICIT_H
+#define MAGGI_IMPLICIT_H
+
+#include "derivative.h"
+
+/* Equations (1) and (2), sign G^T y = 0 with y = rate and sign = -1, or y = gama and sign = 1: tangent x
+ * of the dependent velocities or accelerations, from the tangent of y with these at rest. */
+void maggi_close_d(maggi_derivative *D, double sign, const double *y, const double *y_d,
+                   const double *phi_d, double *x);
+void maggi_close_dv(maggi_derivative *D, double sign, const double *y, const double *y_d,
+                    const double *phi_d, double *x);
+
+/* tangent of lambda = G mu with mu held: s->lambda */
+void maggi_multipliers_d(maggi_derivative *D, const maggi_companion *s);
+void maggi_multipliers_dv(maggi_derivative *D, const maggi_companion *s);
+
+/* Equation (3): the tangent s->w with independent accelerations at rest sets them in motion, s->a. */
+void maggi_independents_d(maggi_derivative *D, const maggi_companion *s);
+void maggi_independents_dv(maggi_derivative *D, const maggi_companion *s);
+
+/* tangent of mu from that of w with mu held, and what it adds to s->lambda */
+void maggi_multipliers_rest_d(maggi_derivative *D, const maggi_companion *s);
+
+/* Adjoint of (3): s->w from s->a.  omega_p: what the adjoint of w must be on dependent coordinates
+ * for an adjoint of mu; NULL if none. */
+void maggi_independents_b(maggi_derivative *D, const maggi_companion *s, const double *omega_p);
+
+/* Adjoints of (2) and (1): s->gama from s->a, s->rate from s->v, and their shares of s->phi. */
+void maggi_close_accelerations_b(maggi_derivative *D, const maggi_companion *s);
+void maggi_close_velocities_b(maggi_derivative *D, const maggi_companion *s);
+
+/* adjoints of guided coordinates go to their functions */
+void maggi_guides_b(maggi_derivative *D, const maggi_companion *s);
+
+/* The same for s, and tangents in D->second along D->tangent, with the solutions of the adjoint
+ * equations held; by what these change is an adjoint solve of its own, with the adjoint of mu in
+ * D->omega_p. */
+void maggi_independents_b_d(maggi_derivative *D, const maggi_companion *s);
+void maggi_close_accelerations_b_d(maggi_derivative *D, const maggi_companion *s);
+void maggi_close_velocities_b_d(maggi_derivative *D, const maggi_companion *s);
+void maggi_guides_b_d(maggi_derivative *D, const maggi_companion *s);
+
+#endif

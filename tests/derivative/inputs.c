@@ -1,0 +1,173 @@
+#include "inputs.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "property/vector.h"
+
+void inputs_real(inputs *in, const maggi_data *d)
+{
+  memset(in, 0, sizeof *in);
+  in->t = &d->t;
+  in->d = d;
+}
+
+void inputs_random(inputs *in, const maggi_topo *t, uint64_t seed)
+{
+  memset(in, 0, sizeof *in);
+  in->t = t;
+  in->random.state = seed;
+}
+
+void inputs_free(inputs *in)
+{
+  int i;
+
+  for (i = 0; i < in->number; ++i) free(in->input[i].x);
+  in->number = 0;
+}
+
+/* --------------------------------------------------------------------------- a real evaluation */
+
+static const double *array_of(const maggi_data *d, const char *name)
+{
+  if (strcmp(name, "time") == 0) return &d->time;
+  if (strcmp(name, "origin") == 0) return d->origin;
+  if (strcmp(name, "power") == 0) return d->power;
+#define X(field, rows, cols, text)                                                                 \
+  if (strcmp(name, #field) == 0) return (const double *)d->field;
+  MAGGI_DATA_LIST(X)
+#undef X
+#define X(field, size, text)                                                                       \
+  if (strcmp(name, #field) == 0) return d->field;
+  MAGGI_DATA_VECTORS(X)
+#undef X
+  return NULL;
+}
+
+/* ------------------------------------------------------------------------------ random numbers */
+
+static void fill(inputs *in, int n, double low, double high, double *x)
+{
+  int i;
+
+  for (i = 0; i < n; ++i) x[i] = mech_uniform(&in->random, low, high);
+}
+
+/* away from zero, with either sign */
+static void fill_signed(inputs *in, int n, double *x)
+{
+  int i;
+
+  for (i = 0; i < n; ++i)
+    x[i] = (mech_integer(&in->random, 2) ? 1.0 : -1.0) * mech_uniform(&in->random, 0.2, 1.5);
+}
+
+/* number of ascending times of a function */
+static int times_of(const maggi_topo *t, int fun)
+{
+  if (t->funkind[fun] == MAGGI_FUNCTION_STEP) return 2;
+  if (t->funkind[fun] == MAGGI_FUNCTION_KNOTS || t->funkind[fun] == MAGGI_FUNCTION_SPLINE)
+    return t->funn[fun];
+  return 0;
+}
+
+static void random_parameters(inputs *in, double *p)
+{
+  const maggi_topo *t = in->t;
+  int i, k;
+
+  fill_signed(in, t->np, p);
+  for (i = 0; i < t->nfun; ++i)
+    for (k = 0; k < times_of(t, i); ++k)
+      p[t->funadr[i] + k] = 0.4 * k + mech_uniform(&in->random, 0.0, 0.2);
+  for (i = 0; i < t->nspring; ++i) {
+    if (!t->springslopes[i]) continue;
+    k = t->springadr[i] + MAGGI_SPRING_SLOPES;
+    p[k + 4] = mech_uniform(&in->random, 0.3, 0.5);
+    p[k + 5] = -mech_uniform(&in->random, 0.3, 0.5);
+  }
+}
+
+/* before, between or after the times of the functions */
+static void random_time(inputs *in, double *time)
+{
+  const maggi_topo *t = in->t;
+  const double *p = inputs_get(in, "p", t->np);
+  int i, k, near;
+
+  do {
+    near = 0;
+    *time = mech_uniform(&in->random, -0.5, 2.5);
+    for (i = 0; i < t->nfun; ++i)
+      for (k = 0; k < times_of(t, i); ++k)
+        near = near || fabs(*time - p[t->funadr[i] + k]) < 0.5 * INPUTS_MARGIN;
+  } while (near);
+}
+
+static int is_near(double x, double kink)
+{
+  return fabs(x - kink) < 1e-6;
+}
+
+/* Rates of springs with four slopes, by a change of the velocity of one end along the spring: random
+ * ones in one zone after the other, real ones only away from a kink. */
+static void choose_zones(inputs *in, double *rv)
+{
+  static const double share[] = {2.0, 0.5, -0.5, -2.0};
+  const maggi_topo *t = in->t;
+  const double *p = inputs_get(in, "p", t->np), *r = inputs_get(in, "r", 3 * t->npoint), *slopes;
+  double e[3], ev[3], length, rate, limit, *va;
+  int i, zone, first = mech_integer(&in->random, 4);
+
+  for (i = 0; i < t->nspring; ++i) {
+    if (!t->springslopes[i]) continue;
+    slopes = p + t->springadr[i] + MAGGI_SPRING_SLOPES;
+    va = rv + 3 * t->springpa[i];
+    v3_axpy(r + 3 * t->springpa[i], -1.0, r + 3 * t->springpb[i], e);
+    v3_axpy(va, -1.0, rv + 3 * t->springpb[i], ev);
+    length = v3_norm(e);
+    rate = v3_dot(e, ev) / length;
+    if (in->d && !is_near(rate, 0.0) && !is_near(rate, slopes[4]) && !is_near(rate, slopes[5]))
+      continue;
+    zone = (first + i) % 4;
+    limit = fmax(fabs(slopes[zone < 2 ? 4 : 5]), 0.1);
+    v3_axpy(va, (share[zone] * limit - rate) / length, e, va);
+  }
+}
+
+static void random_argument(inputs *in, const char *name, int n, double *x)
+{
+  if (strcmp(name, "p") == 0)
+    random_parameters(in, x);
+  else if (strcmp(name, "time") == 0)
+    random_time(in, x);
+  else if (strcmp(name, "prim0") == 0 || strcmp(name, "spring0") == 0)
+    fill(in, n, 0.5, 1.5, x);
+  else
+    fill(in, n, -1.0, 1.0, x);
+}
+
+const double *inputs_get(inputs *in, const char *name, int n)
+{
+  const double *from = NULL;
+  double *x;
+  int i;
+
+  for (i = 0; i < in->number; ++i)
+    if (strcmp(in->input[i].name, name) == 0 && in->input[i].n == n) return in->input[i].x;
+  if (in->d && !(from = array_of(in->d, name))) return NULL;
+  x = malloc(((size_t)n + 1) * sizeof *x);
+  if (!x || in->number == INPUTS_MAX) abort();
+  if (in->d)
+    memcpy(x, from, (size_t)n * sizeof *x);
+  else
+    random_argument(in, name, n, x);
+  if (strcmp(name, "rv") == 0) choose_zones(in, x);
+  in->input[in->number].name = name;
+  in->input[in->number].n = n;
+  in->input[in->number].x = x;
+  ++in->number;
+  return x;
+}
