@@ -14,11 +14,11 @@ void maggi_joint_constants_d(const maggi_topo *t, const double p[restrict t->np]
   double a0, a0_2, a0_2d, a0_3, a0_3d, a0d, a1, a1_2, a1_2d, a1_3, a1_3d, a1d, a20, a20d, a21, a21d,
       a22, a22d, a2_2, a2_2d, a2_3, a2_3d, a2_4, a2_4d, a30, a30d, a31, a31d, a32, a32d, c0, c0_2,
       c0_2d, c0d, c1, c1_2, c1_2d, c1d, c2, c2_2, c2_2d, c2_3, c2_3d, c2d, c3, c4, c5, c6, c7, c8,
-      e0, e0d, e1, e1d, e2, e2d, f, fd, m0, m0d, m1, m1d, m2, m2d, n0, n0_2, n0_2d, n0d, n1, n1_2,
-      n1_2d, n1d, n2, n2_2, n2_2d, n2_3, n2_3d, n2d, n2inv, n3, n3d, n3inv, n4, n4d, n4inv, n5, n5d,
-      n5inv, n6, n6d, n6inv, n7, n7d, n7inv, s, s20, s20d, s21, s21d, s22, s22d, s3, s3d, sd, sv0d,
-      sv1d, sv2d, t2, t2d, t3, t3d, t4, t4d, t5, t5d, t6, t6d, t6inv, t7, t7d, t8, t8d, w0, w0_2,
-      w0_2d, w1, w1_2, w1_2d, w2, w2_2, w2_2d;
+      e0, e0d, e1, e1d, e2, e2d, f, fd, m0, m0d, m1, m1d, m2, m2d, n20, n20_2, n20_2d, n20d, n21,
+      n21_2, n21_2d, n21d, n22, n22_2, n22_2d, n22d, n3, n3d, n3inv, n4, n4d, n4inv, n5, n5d, n5inv,
+      n6, n6d, n6inv, n7, n7d, n7inv, n8, n8d, n8inv, s, s20, s20d, s21, s21d, s22, s22d, s3, s3d,
+      sd, sv0d, sv1d, sv2d, t2, t2d, t3, t3d, t4, t4d, t5, t5d, t6, t6d, t6inv, t7, t7d, t8, t8d,
+      w0, w0_2, w0_2d, w1, w1_2, w1_2d, w2, w2_2, w2_2d;
 
   (void)origin;
   (void)offset0;
@@ -54,13 +54,13 @@ void maggi_joint_constants_d(const maggi_topo *t, const double p[restrict t->np]
         a2_2d = pd[t->jdiradr[i] + 2];
         t2 = a0 * a0 + a1 * a1 + a2_2 * a2_2;
         t2d = a0d * a0 + a0 * a0d + (a1d * a1 + a1 * a1d) + (a2_2d * a2_2 + a2_2 * a2_2d);
-        n2 = sqrt(t2);
-        c3 = 1.0 / (2.0 * n2);
-        n2d = c3 * t2d;
-        n2inv = 1.0 / n2;
-        axis0d[i][0] = (a0d - axis0[i][0] * n2d) * n2inv;
-        axis0d[i][1] = (a1d - axis0[i][1] * n2d) * n2inv;
-        axis0d[i][2] = (a2_2d - axis0[i][2] * n2d) * n2inv;
+        n3 = sqrt(t2);
+        c3 = 1.0 / (2.0 * n3);
+        n3d = c3 * t2d;
+        n3inv = 1.0 / n3;
+        axis0d[i][0] = (a0d - axis0[i][0] * n3d) * n3inv;
+        axis0d[i][1] = (a1d - axis0[i][1] * n3d) * n3inv;
+        axis0d[i][2] = (a2_2d - axis0[i][2] * n3d) * n3inv;
       } else if (t->jdirkind[i] == MAGGI_DIR_CARRIED) {
         a0_2 = p[t->jdiraux[i]];
         a0_2d = pd[t->jdiraux[i]];
@@ -71,40 +71,40 @@ void maggi_joint_constants_d(const maggi_topo *t, const double p[restrict t->np]
         t3 = a0_2 * a0_2 + a1_2 * a1_2 + a2_3 * a2_3;
         t3d = a0_2d * a0_2 + a0_2 * a0_2d + (a1_2d * a1_2 + a1_2 * a1_2d) + (a2_3d * a2_3 + a2_3 *
             a2_3d);
-        n3 = sqrt(t3);
-        c4 = 1.0 / (2.0 * n3);
-        n3d = c4 * t3d;
-        n0 = a0_2 / n3;
-        n3inv = 1.0 / n3;
-        n0d = (a0_2d - n0 * n3d) * n3inv;
-        n1 = a1_2 / n3;
-        n1d = (a1_2d - n1 * n3d) * n3inv;
-        n2_2 = a2_3 / n3;
-        n2_2d = (a2_3d - n2_2 * n3d) * n3inv;
+        n4 = sqrt(t3);
+        c4 = 1.0 / (2.0 * n4);
+        n4d = c4 * t3d;
+        n20 = a0_2 / n4;
+        n4inv = 1.0 / n4;
+        n20d = (a0_2d - n20 * n4d) * n4inv;
+        n21 = a1_2 / n4;
+        n21d = (a1_2d - n21 * n4d) * n4inv;
+        n22 = a2_3 / n4;
+        n22d = (a2_3d - n22 * n4d) * n4inv;
         w0 = 1.0;
         w1 = 0.0;
         w2 = 0.0;
-        s = w0 * n0 + w1 * n1 + w2 * n2_2;
+        s = w0 * n20 + w1 * n21 + w2 * n22;
         /* the part of w across the unit vector n, made a unit vector */
-        sd = w0 * n0d + w1 * n1d + w2 * n2_2d;
-        a20 = w0 - s * n0;
-        a20d = -(sd * n0 + s * n0d);
-        a21 = w1 - s * n1;
-        a21d = -(sd * n1 + s * n1d);
-        a22 = w2 - s * n2_2;
-        a22d = -(sd * n2_2 + s * n2_2d);
+        sd = w0 * n20d + w1 * n21d + w2 * n22d;
+        a20 = w0 - s * n20;
+        a20d = -(sd * n20 + s * n20d);
+        a21 = w1 - s * n21;
+        a21d = -(sd * n21 + s * n21d);
+        a22 = w2 - s * n22;
+        a22d = -(sd * n22 + s * n22d);
         t4 = a20 * a20 + a21 * a21 + a22 * a22;
         t4d = a20d * a20 + a20 * a20d + (a21d * a21 + a21 * a21d) + (a22d * a22 + a22 * a22d);
-        n4 = sqrt(t4);
-        c5 = 1.0 / (2.0 * n4);
-        n4d = c5 * t4d;
-        c0 = a20 / n4;
-        n4inv = 1.0 / n4;
-        c0d = (a20d - c0 * n4d) * n4inv;
-        c1 = a21 / n4;
-        c1d = (a21d - c1 * n4d) * n4inv;
-        c2_2 = a22 / n4;
-        c2_2d = (a22d - c2_2 * n4d) * n4inv;
+        n5 = sqrt(t4);
+        c5 = 1.0 / (2.0 * n5);
+        n5d = c5 * t4d;
+        c0 = a20 / n5;
+        n5inv = 1.0 / n5;
+        c0d = (a20d - c0 * n5d) * n5inv;
+        c1 = a21 / n5;
+        c1d = (a21d - c1 * n5d) * n5inv;
+        c2_2 = a22 / n5;
+        c2_2d = (a22d - c2_2 * n5d) * n5inv;
         e0 = p[t->jdiradr[i]];
         e0d = pd[t->jdiradr[i]];
         e1 = p[t->jdiradr[i] + 1];
@@ -113,26 +113,26 @@ void maggi_joint_constants_d(const maggi_topo *t, const double p[restrict t->np]
         e2d = pd[t->jdiradr[i] + 2];
         t5 = e0 * e0 + e1 * e1 + e2 * e2;
         t5d = e0d * e0 + e0 * e0d + (e1d * e1 + e1 * e1d) + (e2d * e2 + e2 * e2d);
-        n5 = sqrt(t5);
-        c6 = 1.0 / (2.0 * n5);
-        n5d = c6 * t5d;
-        m0 = e0 / n5;
-        n5inv = 1.0 / n5;
-        m0d = (e0d - m0 * n5d) * n5inv;
-        m1 = e1 / n5;
-        m1d = (e1d - m1 * n5d) * n5inv;
-        m2 = e2 / n5;
-        m2d = (e2d - m2 * n5d) * n5inv;
-        c2 = n0 * m0 + n1 * m1 + n2_2 * m2;
+        n6 = sqrt(t5);
+        c6 = 1.0 / (2.0 * n6);
+        n6d = c6 * t5d;
+        m0 = e0 / n6;
+        n6inv = 1.0 / n6;
+        m0d = (e0d - m0 * n6d) * n6inv;
+        m1 = e1 / n6;
+        m1d = (e1d - m1 * n6d) * n6inv;
+        m2 = e2 / n6;
+        m2d = (e2d - m2 * n6d) * n6inv;
+        c2 = n20 * m0 + n21 * m1 + n22 * m2;
         /* v turned by the smallest turn that takes the unit vector n to the unit vector m:
          *   c v + s × v + s (s.v) / (1 + c),  c = n.m,  s = n × m */
-        c2d = n0d * m0 + n0 * m0d + (n1d * m1 + n1 * m1d) + (n2_2d * m2 + n2_2 * m2d);
-        s20 = n1 * m2 - n2_2 * m1;
-        s20d = n1d * m2 + n1 * m2d - (n2_2d * m1 + n2_2 * m1d);
-        s21 = n2_2 * m0 - n0 * m2;
-        s21d = n2_2d * m0 + n2_2 * m0d - (n0d * m2 + n0 * m2d);
-        s22 = n0 * m1 - n1 * m0;
-        s22d = n0d * m1 + n0 * m1d - (n1d * m0 + n1 * m0d);
+        c2d = n20d * m0 + n20 * m0d + (n21d * m1 + n21 * m1d) + (n22d * m2 + n22 * m2d);
+        s20 = n21 * m2 - n22 * m1;
+        s20d = n21d * m2 + n21 * m2d - (n22d * m1 + n22 * m1d);
+        s21 = n22 * m0 - n20 * m2;
+        s21d = n22d * m0 + n22 * m0d - (n20d * m2 + n20 * m2d);
+        s22 = n20 * m1 - n21 * m0;
+        s22d = n20d * m1 + n20 * m1d - (n21d * m0 + n21 * m0d);
         sv0d = s21d * c2_2 + s21 * c2_2d - (s22d * c1 + s22 * c1d);
         sv1d = s22d * c0 + s22 * c0d - (s20d * c2_2 + s20 * c2_2d);
         sv2d = s20d * c1 + s20 * c1d - (s21d * c0 + s21 * c0d);
@@ -155,16 +155,16 @@ void maggi_joint_constants_d(const maggi_topo *t, const double p[restrict t->np]
         t7 = a0_3 * a0_3 + a1_3 * a1_3 + a2_4 * a2_4;
         t7d = a0_3d * a0_3 + a0_3 * a0_3d + (a1_3d * a1_3 + a1_3 * a1_3d) + (a2_4d * a2_4 + a2_4 *
             a2_4d);
-        n6 = sqrt(t7);
-        c7 = 1.0 / (2.0 * n6);
-        n6d = c7 * t7d;
-        n0_2 = a0_3 / n6;
-        n6inv = 1.0 / n6;
-        n0_2d = (a0_3d - n0_2 * n6d) * n6inv;
-        n1_2 = a1_3 / n6;
-        n1_2d = (a1_3d - n1_2 * n6d) * n6inv;
-        n2_3 = a2_4 / n6;
-        n2_3d = (a2_4d - n2_3 * n6d) * n6inv;
+        n7 = sqrt(t7);
+        c7 = 1.0 / (2.0 * n7);
+        n7d = c7 * t7d;
+        n20_2 = a0_3 / n7;
+        n7inv = 1.0 / n7;
+        n20_2d = (a0_3d - n20_2 * n7d) * n7inv;
+        n21_2 = a1_3 / n7;
+        n21_2d = (a1_3d - n21_2 * n7d) * n7inv;
+        n22_2 = a2_4 / n7;
+        n22_2d = (a2_4d - n22_2 * n7d) * n7inv;
         if (t->jdirkind[i] == MAGGI_DIR_ACROSS || t->jdirkind[i] == MAGGI_DIR_NORMAL) {
           w0_2 = p[t->jdiraux[i]];
           w0_2d = pd[t->jdiraux[i]];
@@ -180,36 +180,36 @@ void maggi_joint_constants_d(const maggi_topo *t, const double p[restrict t->np]
           w2_2 = t->jdiraux[i] == 2 ? 1.0 : 0.0;
           w2_2d = 0.0;
         }
-        s3 = w0_2 * n0_2 + w1_2 * n1_2 + w2_2 * n2_3;
+        s3 = w0_2 * n20_2 + w1_2 * n21_2 + w2_2 * n22_2;
         /* the part of w across the unit vector n, made a unit vector */
-        s3d = w0_2d * n0_2 + w0_2 * n0_2d + (w1_2d * n1_2 + w1_2 * n1_2d) + (w2_2d * n2_3 + w2_2 *
-            n2_3d);
-        a30 = w0_2 - s3 * n0_2;
-        a30d = w0_2d - (s3d * n0_2 + s3 * n0_2d);
-        a31 = w1_2 - s3 * n1_2;
-        a31d = w1_2d - (s3d * n1_2 + s3 * n1_2d);
-        a32 = w2_2 - s3 * n2_3;
-        a32d = w2_2d - (s3d * n2_3 + s3 * n2_3d);
+        s3d = w0_2d * n20_2 + w0_2 * n20_2d + (w1_2d * n21_2 + w1_2 * n21_2d) + (w2_2d * n22_2 +
+            w2_2 * n22_2d);
+        a30 = w0_2 - s3 * n20_2;
+        a30d = w0_2d - (s3d * n20_2 + s3 * n20_2d);
+        a31 = w1_2 - s3 * n21_2;
+        a31d = w1_2d - (s3d * n21_2 + s3 * n21_2d);
+        a32 = w2_2 - s3 * n22_2;
+        a32d = w2_2d - (s3d * n22_2 + s3 * n22_2d);
         t8 = a30 * a30 + a31 * a31 + a32 * a32;
         t8d = a30d * a30 + a30 * a30d + (a31d * a31 + a31 * a31d) + (a32d * a32 + a32 * a32d);
-        n7 = sqrt(t8);
-        c8 = 1.0 / (2.0 * n7);
-        n7d = c8 * t8d;
-        c0_2 = a30 / n7;
-        n7inv = 1.0 / n7;
-        c0_2d = (a30d - c0_2 * n7d) * n7inv;
-        c1_2 = a31 / n7;
-        c1_2d = (a31d - c1_2 * n7d) * n7inv;
-        c2_3 = a32 / n7;
-        c2_3d = (a32d - c2_3 * n7d) * n7inv;
+        n8 = sqrt(t8);
+        c8 = 1.0 / (2.0 * n8);
+        n8d = c8 * t8d;
+        c0_2 = a30 / n8;
+        n8inv = 1.0 / n8;
+        c0_2d = (a30d - c0_2 * n8d) * n8inv;
+        c1_2 = a31 / n8;
+        c1_2d = (a31d - c1_2 * n8d) * n8inv;
+        c2_3 = a32 / n8;
+        c2_3d = (a32d - c2_3 * n8d) * n8inv;
         if (t->jdirkind[i] == MAGGI_DIR_ACROSS || t->jdirkind[i] == MAGGI_DIR_ACROSS_GLOBAL) {
           axis0d[i][0] = c0_2d;
           axis0d[i][1] = c1_2d;
           axis0d[i][2] = c2_3d;
         } else {
-          axis0d[i][0] = n1_2d * c2_3 + n1_2 * c2_3d - (n2_3d * c1_2 + n2_3 * c1_2d);
-          axis0d[i][1] = n2_3d * c0_2 + n2_3 * c0_2d - (n0_2d * c2_3 + n0_2 * c2_3d);
-          axis0d[i][2] = n0_2d * c1_2 + n0_2 * c1_2d - (n1_2d * c0_2 + n1_2 * c0_2d);
+          axis0d[i][0] = n21_2d * c2_3 + n21_2 * c2_3d - (n22_2d * c1_2 + n22_2 * c1_2d);
+          axis0d[i][1] = n22_2d * c0_2 + n22_2 * c0_2d - (n20_2d * c2_3 + n20_2 * c2_3d);
+          axis0d[i][2] = n20_2d * c1_2 + n20_2 * c1_2d - (n21_2d * c0_2 + n21_2 * c0_2d);
         }
       }
     }
@@ -409,12 +409,12 @@ void maggi_point_constants_d(const maggi_topo *t, const double p[restrict t->np]
   double a0, a0_2, a0_2d, a0_3, a0_3d, a0d, a1, a1_2, a1_2d, a1_3, a1_3d, a1d, a20, a20d, a21, a21d,
       a22, a22d, a2_2, a2_2d, a2_3, a2_3d, a2_4, a2_4d, a30, a30d, a31, a31d, a32, a32d, c0, c0_2,
       c0_2d, c0d, c1, c10, c1_2, c1_2d, c1d, c2, c2_2, c2_2d, c2_3, c2_3d, c2d, c3, c4, c5, c6, c7,
-      c8, c9, e0, e0d, e1, e1d, e2, e2d, f, fd, m0, m0d, m1, m1d, m2, m2d, n0, n0_2, n0_2d, n0d, n1,
-      n1_2, n1_2d, n1d, n2, n2_2, n2_2d, n2_3, n2_3d, n2d, n2inv, n3, n3d, n3inv, n4, n4d, n4inv,
-      n5, n5d, n5inv, n6, n6d, n6inv, n7, n7d, n7inv, s, s20, s20d, s21, s21d, s22, s22d, s3, s3d,
-      sd, sv0d, sv1d, sv2d, t10d, t2, t2d, t3, t3d, t4, t4d, t5, t5d, t6, t6d, t6inv, t7, t7d, t8,
-      t8d, t9d, w0, w0_2, w0_2d, w1, w1_2, w1_2d, w2, w2_2, w2_2d, x, x2, x2d, xd, y, y2, y2d, yd,
-      z, z2, z2d, zd;
+      c8, c9, e0, e0d, e1, e1d, e2, e2d, f, fd, m0, m0d, m1, m1d, m2, m2d, n20, n20_2, n20_2d, n20d,
+      n21, n21_2, n21_2d, n21d, n22, n22_2, n22_2d, n22d, n3, n3d, n3inv, n4, n4d, n4inv, n5, n5d,
+      n5inv, n6, n6d, n6inv, n7, n7d, n7inv, n8, n8d, n8inv, s, s20, s20d, s21, s21d, s22, s22d, s3,
+      s3d, sd, sv0d, sv1d, sv2d, t10d, t2, t2d, t3, t3d, t4, t4d, t5, t5d, t6, t6d, t6inv, t7, t7d,
+      t8, t8d, t9d, w0, w0_2, w0_2d, w1, w1_2, w1_2d, w2, w2_2, w2_2d, x, x2, x2d, xd, y, y2, y2d,
+      yd, z, z2, z2d, zd;
 
   (void)origin;
   (void)point0;
@@ -453,13 +453,13 @@ void maggi_point_constants_d(const maggi_topo *t, const double p[restrict t->np]
       a2_2d = pd[t->diradr[i] + 2];
       t2 = a0 * a0 + a1 * a1 + a2_2 * a2_2;
       t2d = a0d * a0 + a0 * a0d + (a1d * a1 + a1 * a1d) + (a2_2d * a2_2 + a2_2 * a2_2d);
-      n2 = sqrt(t2);
-      c3 = 1.0 / (2.0 * n2);
-      n2d = c3 * t2d;
-      n2inv = 1.0 / n2;
-      dir0d[i][0] = (a0d - dir0[i][0] * n2d) * n2inv;
-      dir0d[i][1] = (a1d - dir0[i][1] * n2d) * n2inv;
-      dir0d[i][2] = (a2_2d - dir0[i][2] * n2d) * n2inv;
+      n3 = sqrt(t2);
+      c3 = 1.0 / (2.0 * n3);
+      n3d = c3 * t2d;
+      n3inv = 1.0 / n3;
+      dir0d[i][0] = (a0d - dir0[i][0] * n3d) * n3inv;
+      dir0d[i][1] = (a1d - dir0[i][1] * n3d) * n3inv;
+      dir0d[i][2] = (a2_2d - dir0[i][2] * n3d) * n3inv;
     } else if (t->dirkind[i] == MAGGI_DIR_CARRIED) {
       a0_2 = p[t->diraux[i]];
       a0_2d = pd[t->diraux[i]];
@@ -470,40 +470,40 @@ void maggi_point_constants_d(const maggi_topo *t, const double p[restrict t->np]
       t3 = a0_2 * a0_2 + a1_2 * a1_2 + a2_3 * a2_3;
       t3d = a0_2d * a0_2 + a0_2 * a0_2d + (a1_2d * a1_2 + a1_2 * a1_2d) + (a2_3d * a2_3 + a2_3 *
           a2_3d);
-      n3 = sqrt(t3);
-      c4 = 1.0 / (2.0 * n3);
-      n3d = c4 * t3d;
-      n0 = a0_2 / n3;
-      n3inv = 1.0 / n3;
-      n0d = (a0_2d - n0 * n3d) * n3inv;
-      n1 = a1_2 / n3;
-      n1d = (a1_2d - n1 * n3d) * n3inv;
-      n2_2 = a2_3 / n3;
-      n2_2d = (a2_3d - n2_2 * n3d) * n3inv;
+      n4 = sqrt(t3);
+      c4 = 1.0 / (2.0 * n4);
+      n4d = c4 * t3d;
+      n20 = a0_2 / n4;
+      n4inv = 1.0 / n4;
+      n20d = (a0_2d - n20 * n4d) * n4inv;
+      n21 = a1_2 / n4;
+      n21d = (a1_2d - n21 * n4d) * n4inv;
+      n22 = a2_3 / n4;
+      n22d = (a2_3d - n22 * n4d) * n4inv;
       w0 = t->dirlean[i] == 0 ? 1.0 : 0.0;
       w1 = t->dirlean[i] == 1 ? 1.0 : 0.0;
       w2 = t->dirlean[i] == 2 ? 1.0 : 0.0;
-      s = w0 * n0 + w1 * n1 + w2 * n2_2;
+      s = w0 * n20 + w1 * n21 + w2 * n22;
       /* the part of w across the unit vector n, made a unit vector */
-      sd = w0 * n0d + w1 * n1d + w2 * n2_2d;
-      a20 = w0 - s * n0;
-      a20d = -(sd * n0 + s * n0d);
-      a21 = w1 - s * n1;
-      a21d = -(sd * n1 + s * n1d);
-      a22 = w2 - s * n2_2;
-      a22d = -(sd * n2_2 + s * n2_2d);
+      sd = w0 * n20d + w1 * n21d + w2 * n22d;
+      a20 = w0 - s * n20;
+      a20d = -(sd * n20 + s * n20d);
+      a21 = w1 - s * n21;
+      a21d = -(sd * n21 + s * n21d);
+      a22 = w2 - s * n22;
+      a22d = -(sd * n22 + s * n22d);
       t4 = a20 * a20 + a21 * a21 + a22 * a22;
       t4d = a20d * a20 + a20 * a20d + (a21d * a21 + a21 * a21d) + (a22d * a22 + a22 * a22d);
-      n4 = sqrt(t4);
-      c5 = 1.0 / (2.0 * n4);
-      n4d = c5 * t4d;
-      c0 = a20 / n4;
-      n4inv = 1.0 / n4;
-      c0d = (a20d - c0 * n4d) * n4inv;
-      c1 = a21 / n4;
-      c1d = (a21d - c1 * n4d) * n4inv;
-      c2_2 = a22 / n4;
-      c2_2d = (a22d - c2_2 * n4d) * n4inv;
+      n5 = sqrt(t4);
+      c5 = 1.0 / (2.0 * n5);
+      n5d = c5 * t4d;
+      c0 = a20 / n5;
+      n5inv = 1.0 / n5;
+      c0d = (a20d - c0 * n5d) * n5inv;
+      c1 = a21 / n5;
+      c1d = (a21d - c1 * n5d) * n5inv;
+      c2_2 = a22 / n5;
+      c2_2d = (a22d - c2_2 * n5d) * n5inv;
       e0 = p[t->diradr[i]];
       e0d = pd[t->diradr[i]];
       e1 = p[t->diradr[i] + 1];
@@ -512,26 +512,26 @@ void maggi_point_constants_d(const maggi_topo *t, const double p[restrict t->np]
       e2d = pd[t->diradr[i] + 2];
       t5 = e0 * e0 + e1 * e1 + e2 * e2;
       t5d = e0d * e0 + e0 * e0d + (e1d * e1 + e1 * e1d) + (e2d * e2 + e2 * e2d);
-      n5 = sqrt(t5);
-      c6 = 1.0 / (2.0 * n5);
-      n5d = c6 * t5d;
-      m0 = e0 / n5;
-      n5inv = 1.0 / n5;
-      m0d = (e0d - m0 * n5d) * n5inv;
-      m1 = e1 / n5;
-      m1d = (e1d - m1 * n5d) * n5inv;
-      m2 = e2 / n5;
-      m2d = (e2d - m2 * n5d) * n5inv;
-      c2 = n0 * m0 + n1 * m1 + n2_2 * m2;
+      n6 = sqrt(t5);
+      c6 = 1.0 / (2.0 * n6);
+      n6d = c6 * t5d;
+      m0 = e0 / n6;
+      n6inv = 1.0 / n6;
+      m0d = (e0d - m0 * n6d) * n6inv;
+      m1 = e1 / n6;
+      m1d = (e1d - m1 * n6d) * n6inv;
+      m2 = e2 / n6;
+      m2d = (e2d - m2 * n6d) * n6inv;
+      c2 = n20 * m0 + n21 * m1 + n22 * m2;
       /* v turned by the smallest turn that takes the unit vector n to the unit vector m:
        *   c v + s × v + s (s.v) / (1 + c),  c = n.m,  s = n × m */
-      c2d = n0d * m0 + n0 * m0d + (n1d * m1 + n1 * m1d) + (n2_2d * m2 + n2_2 * m2d);
-      s20 = n1 * m2 - n2_2 * m1;
-      s20d = n1d * m2 + n1 * m2d - (n2_2d * m1 + n2_2 * m1d);
-      s21 = n2_2 * m0 - n0 * m2;
-      s21d = n2_2d * m0 + n2_2 * m0d - (n0d * m2 + n0 * m2d);
-      s22 = n0 * m1 - n1 * m0;
-      s22d = n0d * m1 + n0 * m1d - (n1d * m0 + n1 * m0d);
+      c2d = n20d * m0 + n20 * m0d + (n21d * m1 + n21 * m1d) + (n22d * m2 + n22 * m2d);
+      s20 = n21 * m2 - n22 * m1;
+      s20d = n21d * m2 + n21 * m2d - (n22d * m1 + n22 * m1d);
+      s21 = n22 * m0 - n20 * m2;
+      s21d = n22d * m0 + n22 * m0d - (n20d * m2 + n20 * m2d);
+      s22 = n20 * m1 - n21 * m0;
+      s22d = n20d * m1 + n20 * m1d - (n21d * m0 + n21 * m0d);
       sv0d = s21d * c2_2 + s21 * c2_2d - (s22d * c1 + s22 * c1d);
       sv1d = s22d * c0 + s22 * c0d - (s20d * c2_2 + s20 * c2_2d);
       sv2d = s20d * c1 + s20 * c1d - (s21d * c0 + s21 * c0d);
@@ -554,16 +554,16 @@ void maggi_point_constants_d(const maggi_topo *t, const double p[restrict t->np]
       t7 = a0_3 * a0_3 + a1_3 * a1_3 + a2_4 * a2_4;
       t7d = a0_3d * a0_3 + a0_3 * a0_3d + (a1_3d * a1_3 + a1_3 * a1_3d) + (a2_4d * a2_4 + a2_4 *
           a2_4d);
-      n6 = sqrt(t7);
-      c7 = 1.0 / (2.0 * n6);
-      n6d = c7 * t7d;
-      n0_2 = a0_3 / n6;
-      n6inv = 1.0 / n6;
-      n0_2d = (a0_3d - n0_2 * n6d) * n6inv;
-      n1_2 = a1_3 / n6;
-      n1_2d = (a1_3d - n1_2 * n6d) * n6inv;
-      n2_3 = a2_4 / n6;
-      n2_3d = (a2_4d - n2_3 * n6d) * n6inv;
+      n7 = sqrt(t7);
+      c7 = 1.0 / (2.0 * n7);
+      n7d = c7 * t7d;
+      n20_2 = a0_3 / n7;
+      n7inv = 1.0 / n7;
+      n20_2d = (a0_3d - n20_2 * n7d) * n7inv;
+      n21_2 = a1_3 / n7;
+      n21_2d = (a1_3d - n21_2 * n7d) * n7inv;
+      n22_2 = a2_4 / n7;
+      n22_2d = (a2_4d - n22_2 * n7d) * n7inv;
       if (t->dirkind[i] == MAGGI_DIR_ACROSS || t->dirkind[i] == MAGGI_DIR_NORMAL) {
         w0_2 = p[t->diraux[i]];
         w0_2d = pd[t->diraux[i]];
@@ -579,36 +579,36 @@ void maggi_point_constants_d(const maggi_topo *t, const double p[restrict t->np]
         w2_2 = t->diraux[i] == 2 ? 1.0 : 0.0;
         w2_2d = 0.0;
       }
-      s3 = w0_2 * n0_2 + w1_2 * n1_2 + w2_2 * n2_3;
+      s3 = w0_2 * n20_2 + w1_2 * n21_2 + w2_2 * n22_2;
       /* the part of w across the unit vector n, made a unit vector */
-      s3d = w0_2d * n0_2 + w0_2 * n0_2d + (w1_2d * n1_2 + w1_2 * n1_2d) + (w2_2d * n2_3 + w2_2 *
-          n2_3d);
-      a30 = w0_2 - s3 * n0_2;
-      a30d = w0_2d - (s3d * n0_2 + s3 * n0_2d);
-      a31 = w1_2 - s3 * n1_2;
-      a31d = w1_2d - (s3d * n1_2 + s3 * n1_2d);
-      a32 = w2_2 - s3 * n2_3;
-      a32d = w2_2d - (s3d * n2_3 + s3 * n2_3d);
+      s3d = w0_2d * n20_2 + w0_2 * n20_2d + (w1_2d * n21_2 + w1_2 * n21_2d) + (w2_2d * n22_2 + w2_2
+          * n22_2d);
+      a30 = w0_2 - s3 * n20_2;
+      a30d = w0_2d - (s3d * n20_2 + s3 * n20_2d);
+      a31 = w1_2 - s3 * n21_2;
+      a31d = w1_2d - (s3d * n21_2 + s3 * n21_2d);
+      a32 = w2_2 - s3 * n22_2;
+      a32d = w2_2d - (s3d * n22_2 + s3 * n22_2d);
       t8 = a30 * a30 + a31 * a31 + a32 * a32;
       t8d = a30d * a30 + a30 * a30d + (a31d * a31 + a31 * a31d) + (a32d * a32 + a32 * a32d);
-      n7 = sqrt(t8);
-      c8 = 1.0 / (2.0 * n7);
-      n7d = c8 * t8d;
-      c0_2 = a30 / n7;
-      n7inv = 1.0 / n7;
-      c0_2d = (a30d - c0_2 * n7d) * n7inv;
-      c1_2 = a31 / n7;
-      c1_2d = (a31d - c1_2 * n7d) * n7inv;
-      c2_3 = a32 / n7;
-      c2_3d = (a32d - c2_3 * n7d) * n7inv;
+      n8 = sqrt(t8);
+      c8 = 1.0 / (2.0 * n8);
+      n8d = c8 * t8d;
+      c0_2 = a30 / n8;
+      n8inv = 1.0 / n8;
+      c0_2d = (a30d - c0_2 * n8d) * n8inv;
+      c1_2 = a31 / n8;
+      c1_2d = (a31d - c1_2 * n8d) * n8inv;
+      c2_3 = a32 / n8;
+      c2_3d = (a32d - c2_3 * n8d) * n8inv;
       if (t->dirkind[i] == MAGGI_DIR_ACROSS || t->dirkind[i] == MAGGI_DIR_ACROSS_GLOBAL) {
         dir0d[i][0] = c0_2d;
         dir0d[i][1] = c1_2d;
         dir0d[i][2] = c2_3d;
       } else {
-        dir0d[i][0] = n1_2d * c2_3 + n1_2 * c2_3d - (n2_3d * c1_2 + n2_3 * c1_2d);
-        dir0d[i][1] = n2_3d * c0_2 + n2_3 * c0_2d - (n0_2d * c2_3 + n0_2 * c2_3d);
-        dir0d[i][2] = n0_2d * c1_2 + n0_2 * c1_2d - (n1_2d * c0_2 + n1_2 * c0_2d);
+        dir0d[i][0] = n21_2d * c2_3 + n21_2 * c2_3d - (n22_2d * c1_2 + n22_2 * c1_2d);
+        dir0d[i][1] = n22_2d * c0_2 + n22_2 * c0_2d - (n20_2d * c2_3 + n20_2 * c2_3d);
+        dir0d[i][2] = n20_2d * c1_2 + n20_2 * c1_2d - (n21_2d * c0_2 + n21_2 * c0_2d);
       }
     }
   }

@@ -12,11 +12,12 @@ void maggi_joint_constants_dv(const maggi_topo *t, const double p[restrict t->np
 {
   int adr, i, nd, up;
   double a0, a0_2, a0_3, a1, a1_2, a1_3, a20, a21, a22, a2_2, a2_3, a2_4, a30, a31, a32, c0, c0_2,
-      c1, c1_2, c2, c2_2, c2_3, c3, c4, c5, c6, c7, c8, e0, e1, e2, f, m0, m1, m2, n0, n0_2, n1,
-      n1_2, n2, n2_2, n2_3, n2inv, n3, n3inv, n4, n4inv, n5, n5inv, n6, n6inv, n7, n7inv, s, s20,
+      c1, c1_2, c2, c2_2, c2_3, c3, c4, c5, c6, c7, c8, e0, e1, e2, f, m0, m1, m2, n20, n20_2, n21,
+      n21_2, n22, n22_2, n3, n3inv, n4, n4inv, n5, n5inv, n6, n6inv, n7, n7inv, n8, n8inv, s, s20,
       s21, s22, s3, t2, t3, t4, t5, t6, t6inv, t7, t8, w0, w0_2, w1, w1_2, w2, w2_2;
-  double c0_2d[MAGGI_NDIR], c1_2d[MAGGI_NDIR], c2_3d[MAGGI_NDIR], n0_2d[MAGGI_NDIR],
-      n1_2d[MAGGI_NDIR], n2_3d[MAGGI_NDIR], w0_2d[MAGGI_NDIR], w1_2d[MAGGI_NDIR], w2_2d[MAGGI_NDIR];
+  double c0_2d[MAGGI_NDIR], c1_2d[MAGGI_NDIR], c2_3d[MAGGI_NDIR], n20_2d[MAGGI_NDIR],
+      n21_2d[MAGGI_NDIR], n22_2d[MAGGI_NDIR], w0_2d[MAGGI_NDIR], w1_2d[MAGGI_NDIR],
+      w2_2d[MAGGI_NDIR];
 
   (void)origin;
   (void)offset0;
@@ -70,103 +71,103 @@ void maggi_joint_constants_dv(const maggi_topo *t, const double p[restrict t->np
         a1 = p[t->jdiradr[i] + 1];
         a2_2 = p[t->jdiradr[i] + 2];
         t2 = a0 * a0 + a1 * a1 + a2_2 * a2_2;
-        n2 = sqrt(t2);
-        c3 = 1.0 / (2.0 * n2);
-        n2inv = 1.0 / n2;
+        n3 = sqrt(t2);
+        c3 = 1.0 / (2.0 * n3);
+        n3inv = 1.0 / n3;
 #pragma omp simd
         for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-          double a0d, a1d, a2_2d, n2d, t2d;
+          double a0d, a1d, a2_2d, n3d, t2d;
 
           a0d = pd[t->jdiradr[i]][nd];
           a1d = pd[t->jdiradr[i] + 1][nd];
           a2_2d = pd[t->jdiradr[i] + 2][nd];
           t2d = a0d * a0 + a0 * a0d + (a1d * a1 + a1 * a1d) + (a2_2d * a2_2 + a2_2 * a2_2d);
-          n2d = c3 * t2d;
-          axis0d[i][0][nd] = (a0d - axis0[i][0] * n2d) * n2inv;
-          axis0d[i][1][nd] = (a1d - axis0[i][1] * n2d) * n2inv;
-          axis0d[i][2][nd] = (a2_2d - axis0[i][2] * n2d) * n2inv;
+          n3d = c3 * t2d;
+          axis0d[i][0][nd] = (a0d - axis0[i][0] * n3d) * n3inv;
+          axis0d[i][1][nd] = (a1d - axis0[i][1] * n3d) * n3inv;
+          axis0d[i][2][nd] = (a2_2d - axis0[i][2] * n3d) * n3inv;
         }
       } else if (t->jdirkind[i] == MAGGI_DIR_CARRIED) {
         a0_2 = p[t->jdiraux[i]];
         a1_2 = p[t->jdiraux[i] + 1];
         a2_3 = p[t->jdiraux[i] + 2];
         t3 = a0_2 * a0_2 + a1_2 * a1_2 + a2_3 * a2_3;
-        n3 = sqrt(t3);
-        c4 = 1.0 / (2.0 * n3);
-        n0 = a0_2 / n3;
-        n3inv = 1.0 / n3;
-        n1 = a1_2 / n3;
-        n2_2 = a2_3 / n3;
+        n4 = sqrt(t3);
+        c4 = 1.0 / (2.0 * n4);
+        n20 = a0_2 / n4;
+        n4inv = 1.0 / n4;
+        n21 = a1_2 / n4;
+        n22 = a2_3 / n4;
         w0 = 1.0;
         w1 = 0.0;
         w2 = 0.0;
-        s = w0 * n0 + w1 * n1 + w2 * n2_2;
-        a20 = w0 - s * n0;
-        a21 = w1 - s * n1;
-        a22 = w2 - s * n2_2;
+        s = w0 * n20 + w1 * n21 + w2 * n22;
+        a20 = w0 - s * n20;
+        a21 = w1 - s * n21;
+        a22 = w2 - s * n22;
         t4 = a20 * a20 + a21 * a21 + a22 * a22;
-        n4 = sqrt(t4);
-        c5 = 1.0 / (2.0 * n4);
-        c0 = a20 / n4;
-        n4inv = 1.0 / n4;
-        c1 = a21 / n4;
-        c2_2 = a22 / n4;
+        n5 = sqrt(t4);
+        c5 = 1.0 / (2.0 * n5);
+        c0 = a20 / n5;
+        n5inv = 1.0 / n5;
+        c1 = a21 / n5;
+        c2_2 = a22 / n5;
         e0 = p[t->jdiradr[i]];
         e1 = p[t->jdiradr[i] + 1];
         e2 = p[t->jdiradr[i] + 2];
         t5 = e0 * e0 + e1 * e1 + e2 * e2;
-        n5 = sqrt(t5);
-        c6 = 1.0 / (2.0 * n5);
-        m0 = e0 / n5;
-        n5inv = 1.0 / n5;
-        m1 = e1 / n5;
-        m2 = e2 / n5;
-        c2 = n0 * m0 + n1 * m1 + n2_2 * m2;
-        s20 = n1 * m2 - n2_2 * m1;
-        s21 = n2_2 * m0 - n0 * m2;
-        s22 = n0 * m1 - n1 * m0;
+        n6 = sqrt(t5);
+        c6 = 1.0 / (2.0 * n6);
+        m0 = e0 / n6;
+        n6inv = 1.0 / n6;
+        m1 = e1 / n6;
+        m2 = e2 / n6;
+        c2 = n20 * m0 + n21 * m1 + n22 * m2;
+        s20 = n21 * m2 - n22 * m1;
+        s21 = n22 * m0 - n20 * m2;
+        s22 = n20 * m1 - n21 * m0;
         t6 = 1.0 + c2;
         f = (s20 * c0 + s21 * c1 + s22 * c2_2) / t6;
         t6inv = 1.0 / t6;
 #pragma omp simd
         for (nd = 0; nd < MAGGI_NDIR; ++nd) {
           double a0_2d, a1_2d, a20d, a21d, a22d, a2_3d, c0d, c1d, c2_2d, c2d, e0d, e1d, e2d, fd,
-              m0d, m1d, m2d, n0d, n1d, n2_2d, n3d, n4d, n5d, s20d, s21d, s22d, sd, sv0d, sv1d, sv2d,
-              t3d, t4d, t5d, t6d;
+              m0d, m1d, m2d, n20d, n21d, n22d, n4d, n5d, n6d, s20d, s21d, s22d, sd, sv0d, sv1d,
+              sv2d, t3d, t4d, t5d, t6d;
 
           a0_2d = pd[t->jdiraux[i]][nd];
           a1_2d = pd[t->jdiraux[i] + 1][nd];
           a2_3d = pd[t->jdiraux[i] + 2][nd];
           t3d = a0_2d * a0_2 + a0_2 * a0_2d + (a1_2d * a1_2 + a1_2 * a1_2d) + (a2_3d * a2_3 + a2_3 *
               a2_3d);
-          n3d = c4 * t3d;
-          n0d = (a0_2d - n0 * n3d) * n3inv;
-          n1d = (a1_2d - n1 * n3d) * n3inv;
-          n2_2d = (a2_3d - n2_2 * n3d) * n3inv;
+          n4d = c4 * t3d;
+          n20d = (a0_2d - n20 * n4d) * n4inv;
+          n21d = (a1_2d - n21 * n4d) * n4inv;
+          n22d = (a2_3d - n22 * n4d) * n4inv;
           /* the part of w across the unit vector n, made a unit vector */
-          sd = w0 * n0d + w1 * n1d + w2 * n2_2d;
-          a20d = -(sd * n0 + s * n0d);
-          a21d = -(sd * n1 + s * n1d);
-          a22d = -(sd * n2_2 + s * n2_2d);
+          sd = w0 * n20d + w1 * n21d + w2 * n22d;
+          a20d = -(sd * n20 + s * n20d);
+          a21d = -(sd * n21 + s * n21d);
+          a22d = -(sd * n22 + s * n22d);
           t4d = a20d * a20 + a20 * a20d + (a21d * a21 + a21 * a21d) + (a22d * a22 + a22 * a22d);
-          n4d = c5 * t4d;
-          c0d = (a20d - c0 * n4d) * n4inv;
-          c1d = (a21d - c1 * n4d) * n4inv;
-          c2_2d = (a22d - c2_2 * n4d) * n4inv;
+          n5d = c5 * t4d;
+          c0d = (a20d - c0 * n5d) * n5inv;
+          c1d = (a21d - c1 * n5d) * n5inv;
+          c2_2d = (a22d - c2_2 * n5d) * n5inv;
           e0d = pd[t->jdiradr[i]][nd];
           e1d = pd[t->jdiradr[i] + 1][nd];
           e2d = pd[t->jdiradr[i] + 2][nd];
           t5d = e0d * e0 + e0 * e0d + (e1d * e1 + e1 * e1d) + (e2d * e2 + e2 * e2d);
-          n5d = c6 * t5d;
-          m0d = (e0d - m0 * n5d) * n5inv;
-          m1d = (e1d - m1 * n5d) * n5inv;
-          m2d = (e2d - m2 * n5d) * n5inv;
+          n6d = c6 * t5d;
+          m0d = (e0d - m0 * n6d) * n6inv;
+          m1d = (e1d - m1 * n6d) * n6inv;
+          m2d = (e2d - m2 * n6d) * n6inv;
           /* v turned by the smallest turn that takes the unit vector n to the unit vector m:
            *   c v + s × v + s (s.v) / (1 + c),  c = n.m,  s = n × m */
-          c2d = n0d * m0 + n0 * m0d + (n1d * m1 + n1 * m1d) + (n2_2d * m2 + n2_2 * m2d);
-          s20d = n1d * m2 + n1 * m2d - (n2_2d * m1 + n2_2 * m1d);
-          s21d = n2_2d * m0 + n2_2 * m0d - (n0d * m2 + n0 * m2d);
-          s22d = n0d * m1 + n0 * m1d - (n1d * m0 + n1 * m0d);
+          c2d = n20d * m0 + n20 * m0d + (n21d * m1 + n21 * m1d) + (n22d * m2 + n22 * m2d);
+          s20d = n21d * m2 + n21 * m2d - (n22d * m1 + n22 * m1d);
+          s21d = n22d * m0 + n22 * m0d - (n20d * m2 + n20 * m2d);
+          s22d = n20d * m1 + n20 * m1d - (n21d * m0 + n21 * m0d);
           sv0d = s21d * c2_2 + s21 * c2_2d - (s22d * c1 + s22 * c1d);
           sv1d = s22d * c0 + s22 * c0d - (s20d * c2_2 + s20 * c2_2d);
           sv2d = s20d * c1 + s20 * c1d - (s21d * c0 + s21 * c0d);
@@ -182,25 +183,25 @@ void maggi_joint_constants_dv(const maggi_topo *t, const double p[restrict t->np
         a1_3 = p[t->jdiradr[i] + 1];
         a2_4 = p[t->jdiradr[i] + 2];
         t7 = a0_3 * a0_3 + a1_3 * a1_3 + a2_4 * a2_4;
-        n6 = sqrt(t7);
-        c7 = 1.0 / (2.0 * n6);
-        n0_2 = a0_3 / n6;
-        n6inv = 1.0 / n6;
-        n1_2 = a1_3 / n6;
-        n2_3 = a2_4 / n6;
+        n7 = sqrt(t7);
+        c7 = 1.0 / (2.0 * n7);
+        n20_2 = a0_3 / n7;
+        n7inv = 1.0 / n7;
+        n21_2 = a1_3 / n7;
+        n22_2 = a2_4 / n7;
 #pragma omp simd
         for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-          double a0_3d, a1_3d, a2_4d, n6d, t7d;
+          double a0_3d, a1_3d, a2_4d, n7d, t7d;
 
           a0_3d = pd[t->jdiradr[i]][nd];
           a1_3d = pd[t->jdiradr[i] + 1][nd];
           a2_4d = pd[t->jdiradr[i] + 2][nd];
           t7d = a0_3d * a0_3 + a0_3 * a0_3d + (a1_3d * a1_3 + a1_3 * a1_3d) + (a2_4d * a2_4 + a2_4 *
               a2_4d);
-          n6d = c7 * t7d;
-          n0_2d[nd] = (a0_3d - n0_2 * n6d) * n6inv;
-          n1_2d[nd] = (a1_3d - n1_2 * n6d) * n6inv;
-          n2_3d[nd] = (a2_4d - n2_3 * n6d) * n6inv;
+          n7d = c7 * t7d;
+          n20_2d[nd] = (a0_3d - n20_2 * n7d) * n7inv;
+          n21_2d[nd] = (a1_3d - n21_2 * n7d) * n7inv;
+          n22_2d[nd] = (a2_4d - n22_2 * n7d) * n7inv;
         }
         if (t->jdirkind[i] == MAGGI_DIR_ACROSS || t->jdirkind[i] == MAGGI_DIR_NORMAL) {
           w0_2 = p[t->jdiraux[i]];
@@ -223,32 +224,32 @@ void maggi_joint_constants_dv(const maggi_topo *t, const double p[restrict t->np
             w2_2d[nd] = 0.0;
           }
         }
-        s3 = w0_2 * n0_2 + w1_2 * n1_2 + w2_2 * n2_3;
-        a30 = w0_2 - s3 * n0_2;
-        a31 = w1_2 - s3 * n1_2;
-        a32 = w2_2 - s3 * n2_3;
+        s3 = w0_2 * n20_2 + w1_2 * n21_2 + w2_2 * n22_2;
+        a30 = w0_2 - s3 * n20_2;
+        a31 = w1_2 - s3 * n21_2;
+        a32 = w2_2 - s3 * n22_2;
         t8 = a30 * a30 + a31 * a31 + a32 * a32;
-        n7 = sqrt(t8);
-        c8 = 1.0 / (2.0 * n7);
-        c0_2 = a30 / n7;
-        n7inv = 1.0 / n7;
-        c1_2 = a31 / n7;
-        c2_3 = a32 / n7;
+        n8 = sqrt(t8);
+        c8 = 1.0 / (2.0 * n8);
+        c0_2 = a30 / n8;
+        n8inv = 1.0 / n8;
+        c1_2 = a31 / n8;
+        c2_3 = a32 / n8;
 #pragma omp simd
         for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-          double a30d, a31d, a32d, n7d, s3d, t8d;
+          double a30d, a31d, a32d, n8d, s3d, t8d;
 
           /* the part of w across the unit vector n, made a unit vector */
-          s3d = w0_2d[nd] * n0_2 + w0_2 * n0_2d[nd] + (w1_2d[nd] * n1_2 + w1_2 * n1_2d[nd]) +
-              (w2_2d[nd] * n2_3 + w2_2 * n2_3d[nd]);
-          a30d = w0_2d[nd] - (s3d * n0_2 + s3 * n0_2d[nd]);
-          a31d = w1_2d[nd] - (s3d * n1_2 + s3 * n1_2d[nd]);
-          a32d = w2_2d[nd] - (s3d * n2_3 + s3 * n2_3d[nd]);
+          s3d = w0_2d[nd] * n20_2 + w0_2 * n20_2d[nd] + (w1_2d[nd] * n21_2 + w1_2 * n21_2d[nd]) +
+              (w2_2d[nd] * n22_2 + w2_2 * n22_2d[nd]);
+          a30d = w0_2d[nd] - (s3d * n20_2 + s3 * n20_2d[nd]);
+          a31d = w1_2d[nd] - (s3d * n21_2 + s3 * n21_2d[nd]);
+          a32d = w2_2d[nd] - (s3d * n22_2 + s3 * n22_2d[nd]);
           t8d = a30d * a30 + a30 * a30d + (a31d * a31 + a31 * a31d) + (a32d * a32 + a32 * a32d);
-          n7d = c8 * t8d;
-          c0_2d[nd] = (a30d - c0_2 * n7d) * n7inv;
-          c1_2d[nd] = (a31d - c1_2 * n7d) * n7inv;
-          c2_3d[nd] = (a32d - c2_3 * n7d) * n7inv;
+          n8d = c8 * t8d;
+          c0_2d[nd] = (a30d - c0_2 * n8d) * n8inv;
+          c1_2d[nd] = (a31d - c1_2 * n8d) * n8inv;
+          c2_3d[nd] = (a32d - c2_3 * n8d) * n8inv;
         }
         if (t->jdirkind[i] == MAGGI_DIR_ACROSS || t->jdirkind[i] == MAGGI_DIR_ACROSS_GLOBAL) {
 #pragma omp simd
@@ -260,11 +261,11 @@ void maggi_joint_constants_dv(const maggi_topo *t, const double p[restrict t->np
         } else {
 #pragma omp simd
           for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-            axis0d[i][0][nd] = n1_2d[nd] * c2_3 + n1_2 * c2_3d[nd] - (n2_3d[nd] * c1_2 + n2_3 *
+            axis0d[i][0][nd] = n21_2d[nd] * c2_3 + n21_2 * c2_3d[nd] - (n22_2d[nd] * c1_2 + n22_2 *
                 c1_2d[nd]);
-            axis0d[i][1][nd] = n2_3d[nd] * c0_2 + n2_3 * c0_2d[nd] - (n0_2d[nd] * c2_3 + n0_2 *
+            axis0d[i][1][nd] = n22_2d[nd] * c0_2 + n22_2 * c0_2d[nd] - (n20_2d[nd] * c2_3 + n20_2 *
                 c2_3d[nd]);
-            axis0d[i][2][nd] = n0_2d[nd] * c1_2 + n0_2 * c1_2d[nd] - (n1_2d[nd] * c0_2 + n1_2 *
+            axis0d[i][2][nd] = n20_2d[nd] * c1_2 + n20_2 * c1_2d[nd] - (n21_2d[nd] * c0_2 + n21_2 *
                 c0_2d[nd]);
           }
         }
@@ -497,12 +498,13 @@ void maggi_point_constants_dv(const maggi_topo *t, const double p[restrict t->np
 {
   int adr, i, nd, ref, ref2, ref3;
   double a0, a0_2, a0_3, a1, a1_2, a1_3, a20, a21, a22, a2_2, a2_3, a2_4, a30, a31, a32, c0, c0_2,
-      c1, c10, c1_2, c2, c2_2, c2_3, c3, c4, c5, c6, c7, c8, c9, e0, e1, e2, f, m0, m1, m2, n0,
-      n0_2, n1, n1_2, n2, n2_2, n2_3, n2inv, n3, n3inv, n4, n4inv, n5, n5inv, n6, n6inv, n7, n7inv,
-      s, s20, s21, s22, s3, t2, t3, t4, t5, t6, t6inv, t7, t8, w0, w0_2, w1, w1_2, w2, w2_2, x, x2,
-      y, y2, z, z2;
-  double c0_2d[MAGGI_NDIR], c1_2d[MAGGI_NDIR], c2_3d[MAGGI_NDIR], n0_2d[MAGGI_NDIR],
-      n1_2d[MAGGI_NDIR], n2_3d[MAGGI_NDIR], w0_2d[MAGGI_NDIR], w1_2d[MAGGI_NDIR], w2_2d[MAGGI_NDIR];
+      c1, c10, c1_2, c2, c2_2, c2_3, c3, c4, c5, c6, c7, c8, c9, e0, e1, e2, f, m0, m1, m2, n20,
+      n20_2, n21, n21_2, n22, n22_2, n3, n3inv, n4, n4inv, n5, n5inv, n6, n6inv, n7, n7inv, n8,
+      n8inv, s, s20, s21, s22, s3, t2, t3, t4, t5, t6, t6inv, t7, t8, w0, w0_2, w1, w1_2, w2, w2_2,
+      x, x2, y, y2, z, z2;
+  double c0_2d[MAGGI_NDIR], c1_2d[MAGGI_NDIR], c2_3d[MAGGI_NDIR], n20_2d[MAGGI_NDIR],
+      n21_2d[MAGGI_NDIR], n22_2d[MAGGI_NDIR], w0_2d[MAGGI_NDIR], w1_2d[MAGGI_NDIR],
+      w2_2d[MAGGI_NDIR];
 
   (void)origin;
   (void)point0;
@@ -559,68 +561,68 @@ void maggi_point_constants_dv(const maggi_topo *t, const double p[restrict t->np
       a1 = p[t->diradr[i] + 1];
       a2_2 = p[t->diradr[i] + 2];
       t2 = a0 * a0 + a1 * a1 + a2_2 * a2_2;
-      n2 = sqrt(t2);
-      c3 = 1.0 / (2.0 * n2);
-      n2inv = 1.0 / n2;
+      n3 = sqrt(t2);
+      c3 = 1.0 / (2.0 * n3);
+      n3inv = 1.0 / n3;
 #pragma omp simd
       for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-        double a0d, a1d, a2_2d, n2d, t2d;
+        double a0d, a1d, a2_2d, n3d, t2d;
 
         a0d = pd[t->diradr[i]][nd];
         a1d = pd[t->diradr[i] + 1][nd];
         a2_2d = pd[t->diradr[i] + 2][nd];
         t2d = a0d * a0 + a0 * a0d + (a1d * a1 + a1 * a1d) + (a2_2d * a2_2 + a2_2 * a2_2d);
-        n2d = c3 * t2d;
-        dir0d[i][0][nd] = (a0d - dir0[i][0] * n2d) * n2inv;
-        dir0d[i][1][nd] = (a1d - dir0[i][1] * n2d) * n2inv;
-        dir0d[i][2][nd] = (a2_2d - dir0[i][2] * n2d) * n2inv;
+        n3d = c3 * t2d;
+        dir0d[i][0][nd] = (a0d - dir0[i][0] * n3d) * n3inv;
+        dir0d[i][1][nd] = (a1d - dir0[i][1] * n3d) * n3inv;
+        dir0d[i][2][nd] = (a2_2d - dir0[i][2] * n3d) * n3inv;
       }
     } else if (t->dirkind[i] == MAGGI_DIR_CARRIED) {
       a0_2 = p[t->diraux[i]];
       a1_2 = p[t->diraux[i] + 1];
       a2_3 = p[t->diraux[i] + 2];
       t3 = a0_2 * a0_2 + a1_2 * a1_2 + a2_3 * a2_3;
-      n3 = sqrt(t3);
-      c4 = 1.0 / (2.0 * n3);
-      n0 = a0_2 / n3;
-      n3inv = 1.0 / n3;
-      n1 = a1_2 / n3;
-      n2_2 = a2_3 / n3;
+      n4 = sqrt(t3);
+      c4 = 1.0 / (2.0 * n4);
+      n20 = a0_2 / n4;
+      n4inv = 1.0 / n4;
+      n21 = a1_2 / n4;
+      n22 = a2_3 / n4;
       w0 = t->dirlean[i] == 0 ? 1.0 : 0.0;
       w1 = t->dirlean[i] == 1 ? 1.0 : 0.0;
       w2 = t->dirlean[i] == 2 ? 1.0 : 0.0;
-      s = w0 * n0 + w1 * n1 + w2 * n2_2;
-      a20 = w0 - s * n0;
-      a21 = w1 - s * n1;
-      a22 = w2 - s * n2_2;
+      s = w0 * n20 + w1 * n21 + w2 * n22;
+      a20 = w0 - s * n20;
+      a21 = w1 - s * n21;
+      a22 = w2 - s * n22;
       t4 = a20 * a20 + a21 * a21 + a22 * a22;
-      n4 = sqrt(t4);
-      c5 = 1.0 / (2.0 * n4);
-      c0 = a20 / n4;
-      n4inv = 1.0 / n4;
-      c1 = a21 / n4;
-      c2_2 = a22 / n4;
+      n5 = sqrt(t4);
+      c5 = 1.0 / (2.0 * n5);
+      c0 = a20 / n5;
+      n5inv = 1.0 / n5;
+      c1 = a21 / n5;
+      c2_2 = a22 / n5;
       e0 = p[t->diradr[i]];
       e1 = p[t->diradr[i] + 1];
       e2 = p[t->diradr[i] + 2];
       t5 = e0 * e0 + e1 * e1 + e2 * e2;
-      n5 = sqrt(t5);
-      c6 = 1.0 / (2.0 * n5);
-      m0 = e0 / n5;
-      n5inv = 1.0 / n5;
-      m1 = e1 / n5;
-      m2 = e2 / n5;
-      c2 = n0 * m0 + n1 * m1 + n2_2 * m2;
-      s20 = n1 * m2 - n2_2 * m1;
-      s21 = n2_2 * m0 - n0 * m2;
-      s22 = n0 * m1 - n1 * m0;
+      n6 = sqrt(t5);
+      c6 = 1.0 / (2.0 * n6);
+      m0 = e0 / n6;
+      n6inv = 1.0 / n6;
+      m1 = e1 / n6;
+      m2 = e2 / n6;
+      c2 = n20 * m0 + n21 * m1 + n22 * m2;
+      s20 = n21 * m2 - n22 * m1;
+      s21 = n22 * m0 - n20 * m2;
+      s22 = n20 * m1 - n21 * m0;
       t6 = 1.0 + c2;
       f = (s20 * c0 + s21 * c1 + s22 * c2_2) / t6;
       t6inv = 1.0 / t6;
 #pragma omp simd
       for (nd = 0; nd < MAGGI_NDIR; ++nd) {
         double a0_2d, a1_2d, a20d, a21d, a22d, a2_3d, c0d, c1d, c2_2d, c2d, e0d, e1d, e2d, fd, m0d,
-            m1d, m2d, n0d, n1d, n2_2d, n3d, n4d, n5d, s20d, s21d, s22d, sd, sv0d, sv1d, sv2d, t3d,
+            m1d, m2d, n20d, n21d, n22d, n4d, n5d, n6d, s20d, s21d, s22d, sd, sv0d, sv1d, sv2d, t3d,
             t4d, t5d, t6d;
 
         a0_2d = pd[t->diraux[i]][nd];
@@ -628,34 +630,34 @@ void maggi_point_constants_dv(const maggi_topo *t, const double p[restrict t->np
         a2_3d = pd[t->diraux[i] + 2][nd];
         t3d = a0_2d * a0_2 + a0_2 * a0_2d + (a1_2d * a1_2 + a1_2 * a1_2d) + (a2_3d * a2_3 + a2_3 *
             a2_3d);
-        n3d = c4 * t3d;
-        n0d = (a0_2d - n0 * n3d) * n3inv;
-        n1d = (a1_2d - n1 * n3d) * n3inv;
-        n2_2d = (a2_3d - n2_2 * n3d) * n3inv;
+        n4d = c4 * t3d;
+        n20d = (a0_2d - n20 * n4d) * n4inv;
+        n21d = (a1_2d - n21 * n4d) * n4inv;
+        n22d = (a2_3d - n22 * n4d) * n4inv;
         /* the part of w across the unit vector n, made a unit vector */
-        sd = w0 * n0d + w1 * n1d + w2 * n2_2d;
-        a20d = -(sd * n0 + s * n0d);
-        a21d = -(sd * n1 + s * n1d);
-        a22d = -(sd * n2_2 + s * n2_2d);
+        sd = w0 * n20d + w1 * n21d + w2 * n22d;
+        a20d = -(sd * n20 + s * n20d);
+        a21d = -(sd * n21 + s * n21d);
+        a22d = -(sd * n22 + s * n22d);
         t4d = a20d * a20 + a20 * a20d + (a21d * a21 + a21 * a21d) + (a22d * a22 + a22 * a22d);
-        n4d = c5 * t4d;
-        c0d = (a20d - c0 * n4d) * n4inv;
-        c1d = (a21d - c1 * n4d) * n4inv;
-        c2_2d = (a22d - c2_2 * n4d) * n4inv;
+        n5d = c5 * t4d;
+        c0d = (a20d - c0 * n5d) * n5inv;
+        c1d = (a21d - c1 * n5d) * n5inv;
+        c2_2d = (a22d - c2_2 * n5d) * n5inv;
         e0d = pd[t->diradr[i]][nd];
         e1d = pd[t->diradr[i] + 1][nd];
         e2d = pd[t->diradr[i] + 2][nd];
         t5d = e0d * e0 + e0 * e0d + (e1d * e1 + e1 * e1d) + (e2d * e2 + e2 * e2d);
-        n5d = c6 * t5d;
-        m0d = (e0d - m0 * n5d) * n5inv;
-        m1d = (e1d - m1 * n5d) * n5inv;
-        m2d = (e2d - m2 * n5d) * n5inv;
+        n6d = c6 * t5d;
+        m0d = (e0d - m0 * n6d) * n6inv;
+        m1d = (e1d - m1 * n6d) * n6inv;
+        m2d = (e2d - m2 * n6d) * n6inv;
         /* v turned by the smallest turn that takes the unit vector n to the unit vector m:
          *   c v + s × v + s (s.v) / (1 + c),  c = n.m,  s = n × m */
-        c2d = n0d * m0 + n0 * m0d + (n1d * m1 + n1 * m1d) + (n2_2d * m2 + n2_2 * m2d);
-        s20d = n1d * m2 + n1 * m2d - (n2_2d * m1 + n2_2 * m1d);
-        s21d = n2_2d * m0 + n2_2 * m0d - (n0d * m2 + n0 * m2d);
-        s22d = n0d * m1 + n0 * m1d - (n1d * m0 + n1 * m0d);
+        c2d = n20d * m0 + n20 * m0d + (n21d * m1 + n21 * m1d) + (n22d * m2 + n22 * m2d);
+        s20d = n21d * m2 + n21 * m2d - (n22d * m1 + n22 * m1d);
+        s21d = n22d * m0 + n22 * m0d - (n20d * m2 + n20 * m2d);
+        s22d = n20d * m1 + n20 * m1d - (n21d * m0 + n21 * m0d);
         sv0d = s21d * c2_2 + s21 * c2_2d - (s22d * c1 + s22 * c1d);
         sv1d = s22d * c0 + s22 * c0d - (s20d * c2_2 + s20 * c2_2d);
         sv2d = s20d * c1 + s20 * c1d - (s21d * c0 + s21 * c0d);
@@ -671,25 +673,25 @@ void maggi_point_constants_dv(const maggi_topo *t, const double p[restrict t->np
       a1_3 = p[t->diradr[i] + 1];
       a2_4 = p[t->diradr[i] + 2];
       t7 = a0_3 * a0_3 + a1_3 * a1_3 + a2_4 * a2_4;
-      n6 = sqrt(t7);
-      c7 = 1.0 / (2.0 * n6);
-      n0_2 = a0_3 / n6;
-      n6inv = 1.0 / n6;
-      n1_2 = a1_3 / n6;
-      n2_3 = a2_4 / n6;
+      n7 = sqrt(t7);
+      c7 = 1.0 / (2.0 * n7);
+      n20_2 = a0_3 / n7;
+      n7inv = 1.0 / n7;
+      n21_2 = a1_3 / n7;
+      n22_2 = a2_4 / n7;
 #pragma omp simd
       for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-        double a0_3d, a1_3d, a2_4d, n6d, t7d;
+        double a0_3d, a1_3d, a2_4d, n7d, t7d;
 
         a0_3d = pd[t->diradr[i]][nd];
         a1_3d = pd[t->diradr[i] + 1][nd];
         a2_4d = pd[t->diradr[i] + 2][nd];
         t7d = a0_3d * a0_3 + a0_3 * a0_3d + (a1_3d * a1_3 + a1_3 * a1_3d) + (a2_4d * a2_4 + a2_4 *
             a2_4d);
-        n6d = c7 * t7d;
-        n0_2d[nd] = (a0_3d - n0_2 * n6d) * n6inv;
-        n1_2d[nd] = (a1_3d - n1_2 * n6d) * n6inv;
-        n2_3d[nd] = (a2_4d - n2_3 * n6d) * n6inv;
+        n7d = c7 * t7d;
+        n20_2d[nd] = (a0_3d - n20_2 * n7d) * n7inv;
+        n21_2d[nd] = (a1_3d - n21_2 * n7d) * n7inv;
+        n22_2d[nd] = (a2_4d - n22_2 * n7d) * n7inv;
       }
       if (t->dirkind[i] == MAGGI_DIR_ACROSS || t->dirkind[i] == MAGGI_DIR_NORMAL) {
         w0_2 = p[t->diraux[i]];
@@ -712,32 +714,32 @@ void maggi_point_constants_dv(const maggi_topo *t, const double p[restrict t->np
           w2_2d[nd] = 0.0;
         }
       }
-      s3 = w0_2 * n0_2 + w1_2 * n1_2 + w2_2 * n2_3;
-      a30 = w0_2 - s3 * n0_2;
-      a31 = w1_2 - s3 * n1_2;
-      a32 = w2_2 - s3 * n2_3;
+      s3 = w0_2 * n20_2 + w1_2 * n21_2 + w2_2 * n22_2;
+      a30 = w0_2 - s3 * n20_2;
+      a31 = w1_2 - s3 * n21_2;
+      a32 = w2_2 - s3 * n22_2;
       t8 = a30 * a30 + a31 * a31 + a32 * a32;
-      n7 = sqrt(t8);
-      c8 = 1.0 / (2.0 * n7);
-      c0_2 = a30 / n7;
-      n7inv = 1.0 / n7;
-      c1_2 = a31 / n7;
-      c2_3 = a32 / n7;
+      n8 = sqrt(t8);
+      c8 = 1.0 / (2.0 * n8);
+      c0_2 = a30 / n8;
+      n8inv = 1.0 / n8;
+      c1_2 = a31 / n8;
+      c2_3 = a32 / n8;
 #pragma omp simd
       for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-        double a30d, a31d, a32d, n7d, s3d, t8d;
+        double a30d, a31d, a32d, n8d, s3d, t8d;
 
         /* the part of w across the unit vector n, made a unit vector */
-        s3d = w0_2d[nd] * n0_2 + w0_2 * n0_2d[nd] + (w1_2d[nd] * n1_2 + w1_2 * n1_2d[nd]) +
-            (w2_2d[nd] * n2_3 + w2_2 * n2_3d[nd]);
-        a30d = w0_2d[nd] - (s3d * n0_2 + s3 * n0_2d[nd]);
-        a31d = w1_2d[nd] - (s3d * n1_2 + s3 * n1_2d[nd]);
-        a32d = w2_2d[nd] - (s3d * n2_3 + s3 * n2_3d[nd]);
+        s3d = w0_2d[nd] * n20_2 + w0_2 * n20_2d[nd] + (w1_2d[nd] * n21_2 + w1_2 * n21_2d[nd]) +
+            (w2_2d[nd] * n22_2 + w2_2 * n22_2d[nd]);
+        a30d = w0_2d[nd] - (s3d * n20_2 + s3 * n20_2d[nd]);
+        a31d = w1_2d[nd] - (s3d * n21_2 + s3 * n21_2d[nd]);
+        a32d = w2_2d[nd] - (s3d * n22_2 + s3 * n22_2d[nd]);
         t8d = a30d * a30 + a30 * a30d + (a31d * a31 + a31 * a31d) + (a32d * a32 + a32 * a32d);
-        n7d = c8 * t8d;
-        c0_2d[nd] = (a30d - c0_2 * n7d) * n7inv;
-        c1_2d[nd] = (a31d - c1_2 * n7d) * n7inv;
-        c2_3d[nd] = (a32d - c2_3 * n7d) * n7inv;
+        n8d = c8 * t8d;
+        c0_2d[nd] = (a30d - c0_2 * n8d) * n8inv;
+        c1_2d[nd] = (a31d - c1_2 * n8d) * n8inv;
+        c2_3d[nd] = (a32d - c2_3 * n8d) * n8inv;
       }
       if (t->dirkind[i] == MAGGI_DIR_ACROSS || t->dirkind[i] == MAGGI_DIR_ACROSS_GLOBAL) {
 #pragma omp simd
@@ -749,11 +751,11 @@ void maggi_point_constants_dv(const maggi_topo *t, const double p[restrict t->np
       } else {
 #pragma omp simd
         for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-          dir0d[i][0][nd] = n1_2d[nd] * c2_3 + n1_2 * c2_3d[nd] - (n2_3d[nd] * c1_2 + n2_3 *
+          dir0d[i][0][nd] = n21_2d[nd] * c2_3 + n21_2 * c2_3d[nd] - (n22_2d[nd] * c1_2 + n22_2 *
               c1_2d[nd]);
-          dir0d[i][1][nd] = n2_3d[nd] * c0_2 + n2_3 * c0_2d[nd] - (n0_2d[nd] * c2_3 + n0_2 *
+          dir0d[i][1][nd] = n22_2d[nd] * c0_2 + n22_2 * c0_2d[nd] - (n20_2d[nd] * c2_3 + n20_2 *
               c2_3d[nd]);
-          dir0d[i][2][nd] = n0_2d[nd] * c1_2 + n0_2 * c1_2d[nd] - (n1_2d[nd] * c0_2 + n1_2 *
+          dir0d[i][2][nd] = n20_2d[nd] * c1_2 + n20_2 * c1_2d[nd] - (n21_2d[nd] * c0_2 + n21_2 *
               c0_2d[nd]);
         }
       }

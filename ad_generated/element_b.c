@@ -23,12 +23,12 @@ void maggi_element_forces_b(const maggi_topo *t, const double p[restrict t->np],
   double back0, back0b, back1, back1b, back20, back20b, back21, back21b, back22, back22b, back2_2,
       back2_2b, c, c20, c20b, c21, c21b, c22, c22b, cb, damping, dampingb, e0, e0b, e1, e1b, e2,
       e2b, ev0, ev0b, ev1, ev1b, ev2, ev2b, f0, f0b, f1, f1b, f2, f2b, f3, f3b, force0, force0b,
-      force1, force1b, force2, force2b, g0, g0b, g1, g1b, g2, g2b, l, lb, lv, lvb, n0, n0b, n1, n1b,
-      n2, n2b, p2, p2b, p_adr2, p_adr2b, p_k24, p_k24b, p_k25, p_k25b, r_a0, r_a0b, r_a1, r_a1b,
-      r_a2, r_a2b, r_b0, r_b0b, r_b1, r_b1b, r_b2, r_b2b, r_i0, r_i0b, r_i1, r_i1b, r_i2, r_i2b, s,
-      sb, speed, speedb, t2, t2b, t3, t3b, tb10, tb11, tb12, tb13, tb14, tb15, tb16, tb17, tb18,
-      tb19, tb2, tb20, tb21, tb22, tb23, tb24, tb25, tb26, tb27, tb3, tb4, tb5, tb6, tb7, tb8, tb9,
-      torqueb, u0, u0b, u1, u1b, u20, u20b, u21, u21b, u22, u22b, u2_2, u2_2b, z, zb, zv, zvb;
+      force1, force1b, force2, force2b, g0, g0b, g1, g1b, g2, g2b, l, lb, lv, lvb, n20, n20b, n21,
+      n21b, n22, n22b, p2, p2b, p_adr2, p_adr2b, p_k24, p_k24b, p_k25, p_k25b, r_a0, r_a0b, r_a1,
+      r_a1b, r_a2, r_a2b, r_b0, r_b0b, r_b1, r_b1b, r_b2, r_b2b, r_i0, r_i0b, r_i1, r_i1b, r_i2,
+      r_i2b, s, sb, speed, speedb, t2, t2b, t3, t3b, tb10, tb11, tb12, tb13, tb14, tb15, tb16, tb17,
+      tb18, tb19, tb2, tb20, tb21, tb22, tb23, tb24, tb25, tb26, tb27, tb3, tb4, tb5, tb6, tb7, tb8,
+      tb9, torqueb, u0, u0b, u1, u1b, u20, u20b, u21, u21b, u22, u22b, u2_2, u2_2b, z, zb, zv, zvb;
 
   (void)Z;
   (void)Zb;
@@ -285,10 +285,10 @@ void maggi_element_forces_b(const maggi_topo *t, const double p[restrict t->np],
     ev2 = rv[a][2] - rv[b][2];
     t2 = e0 * e0 + e1 * e1 + e2 * e2;
     l = sqrt(t2);
-    n0 = e0 / l;
-    n1 = e1 / l;
-    n2 = e2 / l;
-    lv = n0 * ev0 + n1 * ev1 + n2 * ev2;
+    n20 = e0 / l;
+    n21 = e1 / l;
+    n22 = e2 / l;
+    lv = n20 * ev0 + n21 * ev1 + n22 * ev2;
     damping = p[t->springadr[i] + MAGGI_SPRING_C] * lv;
     if (t->springpreload[i]) {
       f0 = p[t->springadr[i]] * (l - spring0[i]) + p[t->springadr[i] + MAGGI_SPRING_L];
@@ -312,9 +312,9 @@ void maggi_element_forces_b(const maggi_topo *t, const double p[restrict t->np],
     } else {
       f1 = damping;
     }
-    u0 = n0;
-    u1 = n1;
-    u2_2 = n2;
+    u0 = n20;
+    u1 = n21;
+    u2_2 = n22;
     f3 = f0 + f1;
     force0 = f3 * u0;
     back0 = -f3 * u0;
@@ -384,9 +384,9 @@ void maggi_element_forces_b(const maggi_topo *t, const double p[restrict t->np],
     u0b += force0b * f3;
     f0b = f3b;
     f1b = f3b;
-    n2b = u2_2b;
-    n1b = u1b;
-    n0b = u0b;
+    n22b = u2_2b;
+    n21b = u1b;
+    n20b = u0b;
     dampingb = 0.0;
     lvb = 0.0;
     if (t->springslopes[i]) {
@@ -444,21 +444,21 @@ void maggi_element_forces_b(const maggi_topo *t, const double p[restrict t->np],
     }
     pb[t->springadr[i] + MAGGI_SPRING_C] += dampingb * lv;
     lvb += dampingb * p[t->springadr[i] + MAGGI_SPRING_C];
-    n0b += lvb * ev0;
-    ev0b = lvb * n0;
-    n1b += lvb * ev1;
-    ev1b = lvb * n1;
-    n2b += lvb * ev2;
-    ev2b = lvb * n2;
-    tb4 = n2b / l;
+    n20b += lvb * ev0;
+    ev0b = lvb * n20;
+    n21b += lvb * ev1;
+    ev1b = lvb * n21;
+    n22b += lvb * ev2;
+    ev2b = lvb * n22;
+    tb4 = n22b / l;
     e2b = tb4;
-    lb -= tb4 * n2;
-    tb3 = n1b / l;
+    lb -= tb4 * n22;
+    tb3 = n21b / l;
     e1b = tb3;
-    lb -= tb3 * n1;
-    tb2 = n0b / l;
+    lb -= tb3 * n21;
+    tb2 = n20b / l;
     e0b = tb2;
-    lb -= tb2 * n0;
+    lb -= tb2 * n20;
     t2b = lb * (1.0 / (2.0 * l));
     e0b += t2b * e0;
     e0b += t2b * e0;

@@ -45,18 +45,18 @@ void maggi_element_forces_b_d(const maggi_topo *t, const double p[restrict t->np
       ev2bd, ev2d, f0, f0b, f0bd, f0d, f1, f1b, f1bd, f1d, f2, f2b, f2bd, f2d, f3, f3b, f3bd, f3d,
       force0, force0b, force0bd, force0d, force1, force1b, force1bd, force1d, force2, force2b,
       force2bd, force2d, g0, g0b, g0bd, g0d, g1, g1b, g1bd, g1d, g2, g2b, g2bd, g2d, l, lb, lbd, ld,
-      lv, lvb, lvbd, lvd, n0, n0b, n0bd, n0d, n1, n1b, n1bd, n1d, n2, n2b, n2bd, n2d, p2, p2b, p2bd,
-      p2d, p_adr2, p_adr2b, p_adr2bd, p_adr2d, p_k24, p_k24b, p_k24bd, p_k24d, p_k25, p_k25b,
-      p_k25bd, p_k25d, r_a0, r_a0b, r_a0bd, r_a0d, r_a1, r_a1b, r_a1bd, r_a1d, r_a2, r_a2b, r_a2bd,
-      r_a2d, r_b0, r_b0b, r_b0bd, r_b0d, r_b1, r_b1b, r_b1bd, r_b1d, r_b2, r_b2b, r_b2bd, r_b2d,
-      r_i0, r_i0b, r_i0bd, r_i0d, r_i1, r_i1b, r_i1bd, r_i1d, r_i2, r_i2b, r_i2bd, r_i2d, s, sb,
-      sbd, sd, speed, speedb, speedbd, speedd, t2, t2b, t2bd, t2d, t3, t3b, t3bd, t3d, tb10, tb10d,
-      tb11, tb11d, tb12, tb12d, tb13, tb13d, tb14, tb14d, tb15, tb15d, tb16, tb16d, tb17, tb17d,
-      tb18, tb18d, tb19, tb19d, tb2, tb20, tb20d, tb21, tb21d, tb22, tb22d, tb23, tb23d, tb24,
-      tb24d, tb25, tb25d, tb26, tb26d, tb27, tb27d, tb2d, tb3, tb3d, tb4, tb4d, tb5, tb5d, tb6,
-      tb6d, tb7, tb7d, tb8, tb8d, tb9, tb9d, torqueb, torquebd, u0, u0b, u0bd, u0d, u1, u1b, u1bd,
-      u1d, u20, u20b, u20bd, u20d, u21, u21b, u21bd, u21d, u22, u22b, u22bd, u22d, u2_2, u2_2b,
-      u2_2bd, u2_2d, z, zb, zbd, zd, zv, zvb, zvbd, zvd;
+      lv, lvb, lvbd, lvd, n20, n20b, n20bd, n20d, n21, n21b, n21bd, n21d, n22, n22b, n22bd, n22d,
+      p2, p2b, p2bd, p2d, p_adr2, p_adr2b, p_adr2bd, p_adr2d, p_k24, p_k24b, p_k24bd, p_k24d, p_k25,
+      p_k25b, p_k25bd, p_k25d, r_a0, r_a0b, r_a0bd, r_a0d, r_a1, r_a1b, r_a1bd, r_a1d, r_a2, r_a2b,
+      r_a2bd, r_a2d, r_b0, r_b0b, r_b0bd, r_b0d, r_b1, r_b1b, r_b1bd, r_b1d, r_b2, r_b2b, r_b2bd,
+      r_b2d, r_i0, r_i0b, r_i0bd, r_i0d, r_i1, r_i1b, r_i1bd, r_i1d, r_i2, r_i2b, r_i2bd, r_i2d, s,
+      sb, sbd, sd, speed, speedb, speedbd, speedd, t2, t2b, t2bd, t2d, t3, t3b, t3bd, t3d, tb10,
+      tb10d, tb11, tb11d, tb12, tb12d, tb13, tb13d, tb14, tb14d, tb15, tb15d, tb16, tb16d, tb17,
+      tb17d, tb18, tb18d, tb19, tb19d, tb2, tb20, tb20d, tb21, tb21d, tb22, tb22d, tb23, tb23d,
+      tb24, tb24d, tb25, tb25d, tb26, tb26d, tb27, tb27d, tb2d, tb3, tb3d, tb4, tb4d, tb5, tb5d,
+      tb6, tb6d, tb7, tb7d, tb8, tb8d, tb9, tb9d, torqueb, torquebd, u0, u0b, u0bd, u0d, u1, u1b,
+      u1bd, u1d, u20, u20b, u20bd, u20d, u21, u21b, u21bd, u21d, u22, u22b, u22bd, u22d, u2_2,
+      u2_2b, u2_2bd, u2_2d, z, zb, zbd, zd, zv, zvb, zvbd, zvd;
 
   (void)Z;
   (void)Zd;
@@ -536,14 +536,14 @@ void maggi_element_forces_b_d(const maggi_topo *t, const double p[restrict t->np
     t2d = e0d * e0 + e0 * e0d + (e1d * e1 + e1 * e1d) + (e2d * e2 + e2 * e2d);
     l = sqrt(t2);
     ld = 1.0 / (2.0 * l) * t2d;
-    n0 = e0 / l;
-    n0d = (e0d - n0 * ld) * (1.0 / l);
-    n1 = e1 / l;
-    n1d = (e1d - n1 * ld) * (1.0 / l);
-    n2 = e2 / l;
-    n2d = (e2d - n2 * ld) * (1.0 / l);
-    lv = n0 * ev0 + n1 * ev1 + n2 * ev2;
-    lvd = n0d * ev0 + n0 * ev0d + (n1d * ev1 + n1 * ev1d) + (n2d * ev2 + n2 * ev2d);
+    n20 = e0 / l;
+    n20d = (e0d - n20 * ld) * (1.0 / l);
+    n21 = e1 / l;
+    n21d = (e1d - n21 * ld) * (1.0 / l);
+    n22 = e2 / l;
+    n22d = (e2d - n22 * ld) * (1.0 / l);
+    lv = n20 * ev0 + n21 * ev1 + n22 * ev2;
+    lvd = n20d * ev0 + n20 * ev0d + (n21d * ev1 + n21 * ev1d) + (n22d * ev2 + n22 * ev2d);
     damping = p[t->springadr[i] + MAGGI_SPRING_C] * lv;
     dampingd = pd[t->springadr[i] + MAGGI_SPRING_C] * lv + p[t->springadr[i] + MAGGI_SPRING_C] *
         lvd;
@@ -583,12 +583,12 @@ void maggi_element_forces_b_d(const maggi_topo *t, const double p[restrict t->np
       f1 = damping;
       f1d = dampingd;
     }
-    u0 = n0;
-    u0d = n0d;
-    u1 = n1;
-    u1d = n1d;
-    u2_2 = n2;
-    u2_2d = n2d;
+    u0 = n20;
+    u0d = n20d;
+    u1 = n21;
+    u1d = n21d;
+    u2_2 = n22;
+    u2_2d = n22d;
     f3 = f0 + f1;
     f3d = f0d + f1d;
     force0 = f3 * u0;
@@ -727,12 +727,12 @@ void maggi_element_forces_b_d(const maggi_topo *t, const double p[restrict t->np
     f0bd = f3bd;
     f1b = f3b;
     f1bd = f3bd;
-    n2b = u2_2b;
-    n2bd = u2_2bd;
-    n1b = u1b;
-    n1bd = u1bd;
-    n0b = u0b;
-    n0bd = u0bd;
+    n22b = u2_2b;
+    n22bd = u2_2bd;
+    n21b = u1b;
+    n21bd = u1bd;
+    n20b = u0b;
+    n20bd = u0bd;
     dampingb = 0.0;
     dampingbd = 0.0;
     lvb = 0.0;
@@ -837,36 +837,36 @@ void maggi_element_forces_b_d(const maggi_topo *t, const double p[restrict t->np
     lvb += dampingb * p[t->springadr[i] + MAGGI_SPRING_C];
     lvbd += dampingbd * p[t->springadr[i] + MAGGI_SPRING_C] + dampingb * pd[t->springadr[i] +
         MAGGI_SPRING_C];
-    n0b += lvb * ev0;
-    n0bd += lvbd * ev0 + lvb * ev0d;
-    ev0b = lvb * n0;
-    ev0bd = lvbd * n0 + lvb * n0d;
-    n1b += lvb * ev1;
-    n1bd += lvbd * ev1 + lvb * ev1d;
-    ev1b = lvb * n1;
-    ev1bd = lvbd * n1 + lvb * n1d;
-    n2b += lvb * ev2;
-    n2bd += lvbd * ev2 + lvb * ev2d;
-    ev2b = lvb * n2;
-    ev2bd = lvbd * n2 + lvb * n2d;
-    tb4 = n2b / l;
-    tb4d = (n2bd - tb4 * ld) * (1.0 / l);
+    n20b += lvb * ev0;
+    n20bd += lvbd * ev0 + lvb * ev0d;
+    ev0b = lvb * n20;
+    ev0bd = lvbd * n20 + lvb * n20d;
+    n21b += lvb * ev1;
+    n21bd += lvbd * ev1 + lvb * ev1d;
+    ev1b = lvb * n21;
+    ev1bd = lvbd * n21 + lvb * n21d;
+    n22b += lvb * ev2;
+    n22bd += lvbd * ev2 + lvb * ev2d;
+    ev2b = lvb * n22;
+    ev2bd = lvbd * n22 + lvb * n22d;
+    tb4 = n22b / l;
+    tb4d = (n22bd - tb4 * ld) * (1.0 / l);
     e2b = tb4;
     e2bd = tb4d;
-    lb -= tb4 * n2;
-    lbd -= tb4d * n2 + tb4 * n2d;
-    tb3 = n1b / l;
-    tb3d = (n1bd - tb3 * ld) * (1.0 / l);
+    lb -= tb4 * n22;
+    lbd -= tb4d * n22 + tb4 * n22d;
+    tb3 = n21b / l;
+    tb3d = (n21bd - tb3 * ld) * (1.0 / l);
     e1b = tb3;
     e1bd = tb3d;
-    lb -= tb3 * n1;
-    lbd -= tb3d * n1 + tb3 * n1d;
-    tb2 = n0b / l;
-    tb2d = (n0bd - tb2 * ld) * (1.0 / l);
+    lb -= tb3 * n21;
+    lbd -= tb3d * n21 + tb3 * n21d;
+    tb2 = n20b / l;
+    tb2d = (n20bd - tb2 * ld) * (1.0 / l);
     e0b = tb2;
     e0bd = tb2d;
-    lb -= tb2 * n0;
-    lbd -= tb2d * n0 + tb2 * n0d;
+    lb -= tb2 * n20;
+    lbd -= tb2d * n20 + tb2 * n20d;
     t2b = lb * (1.0 / (2.0 * l));
     t2bd = lbd * (1.0 / (2.0 * l)) - lb * (1.0 / (2.0 * l) * (2.0 * ld) / (2.0 * l));
     e0b += t2b * e0;

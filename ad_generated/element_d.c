@@ -26,11 +26,11 @@ void maggi_element_forces_d(const maggi_topo *t, const double p[restrict t->np],
   double back0, back0d, back1, back1d, back20, back20d, back21, back21d, back22, back22d, back2_2,
       back2_2d, c, c20, c20d, c21, c21d, c22, c22d, c3, c4, cd, damping, dampingd, e0, e0d, e1, e1d,
       e2, e2d, ev0, ev0d, ev1, ev1d, ev2, ev2d, f0, f0d, f1, f1d, f2, f2d, f3, f3d, force0, force0d,
-      force1, force1d, force2, force2d, g0, g0d, g1, g1d, g2, g2d, l, ld, linv, lv, lvd, n0, n0d,
-      n1, n1d, n2, n2d, p2, p2d, p_adr2, p_adr2d, p_k24, p_k24d, p_k25, p_k25d, r_a0, r_a0d, r_a1,
-      r_a1d, r_a2, r_a2d, r_b0, r_b0d, r_b1, r_b1d, r_b2, r_b2d, r_i0, r_i0d, r_i1, r_i1d, r_i2,
-      r_i2d, s, sd, speed, speedd, t2, t2d, t3, t3d, torqued, u0, u0d, u1, u1d, u20, u20d, u21,
-      u21d, u22, u22d, u2_2, u2_2d, z, zd, zv, zvd;
+      force1, force1d, force2, force2d, g0, g0d, g1, g1d, g2, g2d, l, ld, linv, lv, lvd, n20, n20d,
+      n21, n21d, n22, n22d, p2, p2d, p_adr2, p_adr2d, p_k24, p_k24d, p_k25, p_k25d, r_a0, r_a0d,
+      r_a1, r_a1d, r_a2, r_a2d, r_b0, r_b0d, r_b1, r_b1d, r_b2, r_b2d, r_i0, r_i0d, r_i1, r_i1d,
+      r_i2, r_i2d, s, sd, speed, speedd, t2, t2d, t3, t3d, torqued, u0, u0d, u1, u1d, u20, u20d,
+      u21, u21d, u22, u22d, u2_2, u2_2d, z, zd, zv, zvd;
 
   (void)Z;
   (void)Zd;
@@ -66,15 +66,15 @@ void maggi_element_forces_d(const maggi_topo *t, const double p[restrict t->np],
     l = sqrt(t2);
     c3 = 1.0 / (2.0 * l);
     ld = c3 * t2d;
-    n0 = e0 / l;
+    n20 = e0 / l;
     linv = 1.0 / l;
-    n0d = (e0d - n0 * ld) * linv;
-    n1 = e1 / l;
-    n1d = (e1d - n1 * ld) * linv;
-    n2 = e2 / l;
-    n2d = (e2d - n2 * ld) * linv;
-    lv = n0 * ev0 + n1 * ev1 + n2 * ev2;
-    lvd = n0d * ev0 + n0 * ev0d + (n1d * ev1 + n1 * ev1d) + (n2d * ev2 + n2 * ev2d);
+    n20d = (e0d - n20 * ld) * linv;
+    n21 = e1 / l;
+    n21d = (e1d - n21 * ld) * linv;
+    n22 = e2 / l;
+    n22d = (e2d - n22 * ld) * linv;
+    lv = n20 * ev0 + n21 * ev1 + n22 * ev2;
+    lvd = n20d * ev0 + n20 * ev0d + (n21d * ev1 + n21 * ev1d) + (n22d * ev2 + n22 * ev2d);
     damping = p[t->springadr[i] + MAGGI_SPRING_C] * lv;
     dampingd = pd[t->springadr[i] + MAGGI_SPRING_C] * lv + p[t->springadr[i] + MAGGI_SPRING_C] *
         lvd;
@@ -115,12 +115,12 @@ void maggi_element_forces_d(const maggi_topo *t, const double p[restrict t->np],
       f1 = damping;
       f1d = dampingd;
     }
-    u0 = n0;
-    u0d = n0d;
-    u1 = n1;
-    u1d = n1d;
-    u2_2 = n2;
-    u2_2d = n2d;
+    u0 = n20;
+    u0d = n20d;
+    u1 = n21;
+    u1d = n21d;
+    u2_2 = n22;
+    u2_2d = n22d;
     f3 = f0 + f1;
     f3d = f0d + f1d;
     force0 = f3 * u0;

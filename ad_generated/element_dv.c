@@ -28,13 +28,13 @@ void maggi_element_forces_dv(const maggi_topo *t, const double p[restrict t->np]
 {
   int a, a2, a3, a3_2, adr, adr2, b, b2, b3, i, k, k2, nd;
   double back0, back1, back20, back21, back22, back2_2, c, c20, c21, c22, c3, c4, damping, e0, e1,
-      e2, ev0, ev1, ev2, f0, f1, f2, f3, force0, force1, force2, g0, g1, g2, l, linv, lv, n0, n1,
-      n2, p2, p_adr2, p_k24, p_k25, r_a0, r_a1, r_a2, r_b0, r_b1, r_b2, r_i0, r_i1, r_i2, s, speed,
+      e2, ev0, ev1, ev2, f0, f1, f2, f3, force0, force1, force2, g0, g1, g2, l, linv, lv, n20, n21,
+      n22, p2, p_adr2, p_k24, p_k25, r_a0, r_a1, r_a2, r_b0, r_b1, r_b2, r_i0, r_i1, r_i2, s, speed,
       t2, t3, u0, u1, u20, u21, u22, u2_2, z, zv;
   double c20d[MAGGI_NDIR], c21d[MAGGI_NDIR], c22d[MAGGI_NDIR], dampingd[MAGGI_NDIR],
       f0d[MAGGI_NDIR], f1d[MAGGI_NDIR], f2d[MAGGI_NDIR], g0d[MAGGI_NDIR], g1d[MAGGI_NDIR],
-      g2d[MAGGI_NDIR], ld[MAGGI_NDIR], lvd[MAGGI_NDIR], n0d[MAGGI_NDIR], n1d[MAGGI_NDIR],
-      n2d[MAGGI_NDIR], sd[MAGGI_NDIR], torqued[MAGGI_NDIR], zd[MAGGI_NDIR], zvd[MAGGI_NDIR];
+      g2d[MAGGI_NDIR], ld[MAGGI_NDIR], lvd[MAGGI_NDIR], n20d[MAGGI_NDIR], n21d[MAGGI_NDIR],
+      n22d[MAGGI_NDIR], sd[MAGGI_NDIR], torqued[MAGGI_NDIR], zd[MAGGI_NDIR], zvd[MAGGI_NDIR];
 
   (void)Z;
   (void)Zd;
@@ -68,11 +68,11 @@ void maggi_element_forces_dv(const maggi_topo *t, const double p[restrict t->np]
     t2 = e0 * e0 + e1 * e1 + e2 * e2;
     l = sqrt(t2);
     c3 = 1.0 / (2.0 * l);
-    n0 = e0 / l;
+    n20 = e0 / l;
     linv = 1.0 / l;
-    n1 = e1 / l;
-    n2 = e2 / l;
-    lv = n0 * ev0 + n1 * ev1 + n2 * ev2;
+    n21 = e1 / l;
+    n22 = e2 / l;
+    lv = n20 * ev0 + n21 * ev1 + n22 * ev2;
     damping = p[t->springadr[i] + MAGGI_SPRING_C] * lv;
 #pragma omp simd
     for (nd = 0; nd < MAGGI_NDIR; ++nd) {
@@ -87,11 +87,11 @@ void maggi_element_forces_dv(const maggi_topo *t, const double p[restrict t->np]
       ev2d = rvd[a][2][nd] - rvd[b][2][nd];
       t2d = e0d * e0 + e0 * e0d + (e1d * e1 + e1 * e1d) + (e2d * e2 + e2 * e2d);
       ld[nd] = c3 * t2d;
-      n0d[nd] = (e0d - n0 * ld[nd]) * linv;
-      n1d[nd] = (e1d - n1 * ld[nd]) * linv;
-      n2d[nd] = (e2d - n2 * ld[nd]) * linv;
-      lvd[nd] = n0d[nd] * ev0 + n0 * ev0d + (n1d[nd] * ev1 + n1 * ev1d) + (n2d[nd] * ev2 + n2 *
-          ev2d);
+      n20d[nd] = (e0d - n20 * ld[nd]) * linv;
+      n21d[nd] = (e1d - n21 * ld[nd]) * linv;
+      n22d[nd] = (e2d - n22 * ld[nd]) * linv;
+      lvd[nd] = n20d[nd] * ev0 + n20 * ev0d + (n21d[nd] * ev1 + n21 * ev1d) + (n22d[nd] * ev2 + n22
+          * ev2d);
       dampingd[nd] = pd[t->springadr[i] + MAGGI_SPRING_C][nd] * lv + p[t->springadr[i] +
           MAGGI_SPRING_C] * lvd[nd];
     }
@@ -160,9 +160,9 @@ void maggi_element_forces_dv(const maggi_topo *t, const double p[restrict t->np]
         f1d[nd] = dampingd[nd];
       }
     }
-    u0 = n0;
-    u1 = n1;
-    u2_2 = n2;
+    u0 = n20;
+    u1 = n21;
+    u2_2 = n22;
     f3 = f0 + f1;
     force0 = f3 * u0;
     back0 = -f3 * u0;
@@ -181,9 +181,9 @@ void maggi_element_forces_dv(const maggi_topo *t, const double p[restrict t->np]
       double back0d, back1d, back2_2d, f3d, force0d, force1d, force2d, r_a0d, r_a1d, r_a2d, r_b0d,
           r_b1d, r_b2d, u0d, u1d, u2_2d;
 
-      u0d = n0d[nd];
-      u1d = n1d[nd];
-      u2_2d = n2d[nd];
+      u0d = n20d[nd];
+      u1d = n21d[nd];
+      u2_2d = n22d[nd];
       f3d = f0d[nd] + f1d[nd];
       force0d = f3d * u0 + f3 * u0d;
       back0d = -(f3d * u0) - f3 * u0d;

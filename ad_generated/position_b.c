@@ -23,15 +23,14 @@ void maggi_positions_b(const maggi_topo *t, const double offset0[restrict t->nbo
       e1, e1b, e20b, e21b, e22b, e2_2, e2_2b, e30b, e31b, e32b, offset0_i0, offset0_i0_2,
       offset0_i0_2b, offset0_i0_3, offset0_i0_3b, offset0_i0b, offset0_i1, offset0_i1_2,
       offset0_i1_2b, offset0_i1_3, offset0_i1_3b, offset0_i1b, offset0_i2, offset0_i2_2,
-      offset0_i2_2b, offset0_i2_3, offset0_i2_3b, offset0_i2b, q_i, q_i2, q_i2b, q_i3, q_i3b, q_ib,
-      tb10, tb11, tb12, tb13, tb14, tb15, tb16, tb17, tb18, tb19, tb2, tb3, tb4, tb5, tb6, tb7, tb8,
-      tb9, turn_i0, turn_i0b, turn_i1, turn_i1b, u0, u0b, u1, u1b, u20, u20b, u21, u21b, u22, u22b,
-      u2_2, u2_2b, v, vb, vx, vxb, vy, vyb, vz, vzb, xi0, xi0b, xi1, xi1b, xi2, xi2b;
+      offset0_i2_2b, offset0_i2_3, offset0_i2_3b, offset0_i2b, q_i, q_i2b, q_i3, q_i3b, q_ib, tb10,
+      tb11, tb12, tb13, tb14, tb15, tb16, tb17, tb18, tb19, tb2, tb3, tb4, tb5, tb6, tb7, tb8, tb9,
+      turn_i0, turn_i0b, turn_i1, turn_i1b, u0, u0b, u1, u1b, u20, u20b, u21, u21b, u22, u22b, u2_2,
+      u2_2b, v, vb, vx, vxb, vy, vyb, vz, vzb, xi0, xi0b, xi1, xi1b, xi2, xi2b;
 
   for (i = 0; i < t->nbody; ++i) {
     up = t->parent[i];
     if (t->joint[i] == MAGGI_ONE_REVOLUTE) {
-      q_i2 = q[t->qid[i]];
       turn_i0 = turn[i][0];
       turn_i1 = turn[i][1];
       A_up0 = A[up][0];
@@ -274,10 +273,10 @@ void maggi_positions_b(const maggi_topo *t, const double offset0[restrict t->nbo
       Ab[up][0] += A_up0b;
       turn_i1b += turnb[i][1];
       turnb[i][1] = 0.0;
-      q_i2b = -(turn_i1b * sin(q_i2));
+      q_i2b = -(turn_i1b * turn[i][0]);
       turn_i0b += turnb[i][0];
       turnb[i][0] = 0.0;
-      q_i2b += turn_i0b * cos(q_i2);
+      q_i2b += turn_i0b * turn[i][1];
       qb[t->qid[i]] += q_i2b;
     } else if (t->joint[i] == MAGGI_ONE_PRISMATIC) {
       A_up0_2 = A[up][0];

@@ -42,20 +42,18 @@ void maggi_positions_b_d(const maggi_topo *t, const double offset0[restrict t->n
       offset0_i1_2bd, offset0_i1_2d, offset0_i1_3, offset0_i1_3b, offset0_i1_3bd, offset0_i1_3d,
       offset0_i1b, offset0_i1bd, offset0_i1d, offset0_i2, offset0_i2_2, offset0_i2_2b,
       offset0_i2_2bd, offset0_i2_2d, offset0_i2_3, offset0_i2_3b, offset0_i2_3bd, offset0_i2_3d,
-      offset0_i2b, offset0_i2bd, offset0_i2d, q_i, q_i2, q_i2b, q_i2bd, q_i2d, q_i3, q_i3b, q_i3bd,
-      q_i3d, q_ib, q_ibd, q_id, tb10, tb10d, tb11, tb11d, tb12, tb12d, tb13, tb13d, tb14, tb14d,
-      tb15, tb15d, tb16, tb16d, tb17, tb17d, tb18, tb18d, tb19, tb19d, tb2, tb2d, tb3, tb3d, tb4,
-      tb4d, tb5, tb5d, tb6, tb6d, tb7, tb7d, tb8, tb8d, tb9, tb9d, turn_i0, turn_i0b, turn_i0bd,
-      turn_i0d, turn_i1, turn_i1b, turn_i1bd, turn_i1d, u0, u0b, u0bd, u0d, u1, u1b, u1bd, u1d, u20,
-      u20b, u20bd, u20d, u21, u21b, u21bd, u21d, u22, u22b, u22bd, u22d, u2_2, u2_2b, u2_2bd, u2_2d,
-      v, vb, vbd, vd, vx, vxb, vxbd, vxd, vy, vyb, vybd, vyd, vz, vzb, vzbd, vzd, xi0, xi0b, xi0bd,
+      offset0_i2b, offset0_i2bd, offset0_i2d, q_i, q_i2b, q_i2bd, q_i3, q_i3b, q_i3bd, q_i3d, q_ib,
+      q_ibd, q_id, tb10, tb10d, tb11, tb11d, tb12, tb12d, tb13, tb13d, tb14, tb14d, tb15, tb15d,
+      tb16, tb16d, tb17, tb17d, tb18, tb18d, tb19, tb19d, tb2, tb2d, tb3, tb3d, tb4, tb4d, tb5,
+      tb5d, tb6, tb6d, tb7, tb7d, tb8, tb8d, tb9, tb9d, turn_i0, turn_i0b, turn_i0bd, turn_i0d,
+      turn_i1, turn_i1b, turn_i1bd, turn_i1d, u0, u0b, u0bd, u0d, u1, u1b, u1bd, u1d, u20, u20b,
+      u20bd, u20d, u21, u21b, u21bd, u21d, u22, u22b, u22bd, u22d, u2_2, u2_2b, u2_2bd, u2_2d, v,
+      vb, vbd, vd, vx, vxb, vxbd, vxd, vy, vyb, vybd, vyd, vz, vzb, vzbd, vzd, xi0, xi0b, xi0bd,
       xi0d, xi1, xi1b, xi1bd, xi1d, xi2, xi2b, xi2bd, xi2d;
 
   for (i = 0; i < t->nbody; ++i) {
     up = t->parent[i];
     if (t->joint[i] == MAGGI_ONE_REVOLUTE) {
-      q_i2 = q[t->qid[i]];
-      q_i2d = qd[t->qid[i]];
       turn_i0 = turn[i][0];
       turn_i0d = turnd[i][0];
       turn_i1 = turn[i][1];
@@ -541,14 +539,14 @@ void maggi_positions_b_d(const maggi_topo *t, const double offset0[restrict t->n
       turn_i1bd += turnbd[i][1];
       turnb[i][1] = 0.0;
       turnbd[i][1] = 0.0;
-      q_i2b = -(turn_i1b * sin(q_i2));
-      q_i2bd = -(turn_i1bd * sin(q_i2) + turn_i1b * (cos(q_i2) * q_i2d));
+      q_i2b = -(turn_i1b * turn[i][0]);
+      q_i2bd = -(turn_i1bd * turn[i][0] + turn_i1b * turnd[i][0]);
       turn_i0b += turnb[i][0];
       turn_i0bd += turnbd[i][0];
       turnb[i][0] = 0.0;
       turnbd[i][0] = 0.0;
-      q_i2b += turn_i0b * cos(q_i2);
-      q_i2bd += turn_i0bd * cos(q_i2) - turn_i0b * (sin(q_i2) * q_i2d);
+      q_i2b += turn_i0b * turn[i][1];
+      q_i2bd += turn_i0bd * turn[i][1] + turn_i0b * turnd[i][1];
       qb[t->qid[i]] += q_i2b;
       qbd[t->qid[i]] += q_i2bd;
     } else if (t->joint[i] == MAGGI_ONE_PRISMATIC) {

@@ -20,10 +20,10 @@ void maggi_positions_dv(const maggi_topo *t, const double offset0[restrict t->nb
   int i, k, k3, k4, nd, up;
   double A_up0, A_up0_2, A_up1, A_up1_2, A_up2, A_up2_2, A_up3, A_up3_2, A_up4, A_up4_2, A_up5,
       A_up5_2, A_up6, A_up6_2, A_up7, A_up7_2, A_up8, A_up8_2, R0, R1, R2, R3, R4, R5, R6, R7, R8,
-      axis0_i0, axis0_i0_2, axis0_i1, axis0_i1_2, axis0_i2, axis0_i2_2, c3, c4, e0, e1, e2_2,
-      offset0_i0, offset0_i0_2, offset0_i0_3, offset0_i1, offset0_i1_2, offset0_i1_3, offset0_i2,
-      offset0_i2_2, offset0_i2_3, q_i, q_i2, q_i3, turn_i0, turn_i1, u0, u1, u20, u21, u22, u2_2, v,
-      vx, vy, vz, xi0, xi1, xi2;
+      axis0_i0, axis0_i0_2, axis0_i1, axis0_i1_2, axis0_i2, axis0_i2_2, e0, e1, e2_2, offset0_i0,
+      offset0_i0_2, offset0_i0_3, offset0_i1, offset0_i1_2, offset0_i1_3, offset0_i2, offset0_i2_2,
+      offset0_i2_3, q_i, q_i3, turn_i0, turn_i1, u0, u1, u20, u21, u22, u2_2, v, vx, vy, vz, xi0,
+      xi1, xi2;
   double e20d[MAGGI_NDIR], e21d[MAGGI_NDIR], e22d[MAGGI_NDIR], e30d[MAGGI_NDIR], e31d[MAGGI_NDIR],
       e32d[MAGGI_NDIR], u20d[MAGGI_NDIR], u21d[MAGGI_NDIR], u22d[MAGGI_NDIR];
 
@@ -55,11 +55,8 @@ void maggi_positions_dv(const maggi_topo *t, const double offset0[restrict t->nb
   for (i = t->nbody - 1; i >= 0; --i) {
     up = t->parent[i];
     if (t->joint[i] == MAGGI_ONE_REVOLUTE) {
-      q_i2 = q[t->qid[i]];
       turn_i0 = turn[i][0];
-      c3 = cos(q_i2);
       turn_i1 = turn[i][1];
-      c4 = -sin(q_i2);
       A_up0 = A[up][0];
       offset0_i0 = offset0[i][0];
       A_up1 = A[up][1];
@@ -105,9 +102,9 @@ void maggi_positions_dv(const maggi_topo *t, const double offset0[restrict t->nb
             u2_2d, vd, vxd, vyd, vzd, xi0d, xi1d, xi2d;
 
         q_i2d = qd[t->qid[i]][nd];
-        turn_i0d = c3 * q_i2d;
+        turn_i0d = turn[i][1] * q_i2d;
         turnd[i][0][nd] = turn_i0d;
-        turn_i1d = c4 * q_i2d;
+        turn_i1d = -(turn[i][0] * q_i2d);
         turnd[i][1][nd] = turn_i1d;
         A_up0d = Ad[up][0][nd];
         offset0_i0d = offset0d[i][0][nd];

@@ -18,10 +18,10 @@ void maggi_loop_forces_b(const maggi_topo *t, const double prim0[restrict t->npr
       dir_i1_4b, dir_i1b, dir_i2, dir_i2_2, dir_i2_2b, dir_i2_3, dir_i2_3b, dir_i2_4, dir_i2_4b,
       dir_i2b, e0, e0b, e1, e1b, e20, e20b, e21, e21b, e22, e22b, e2_2, e2_2b, fa0, fa0b, fa1, fa1b,
       fa2, fa2b, fb0, fb0b, fb1, fb1b, fb2, fb2b, l0, l0b, l1, l1b, l20, l20b, l21, l21b, l22, l22b,
-      l2_2, l2_2b, l30, l30b, l31, l31b, l32, l32b, lambda_i, lambda_ib, n0, n0b, n1, n1b, n2, n2b,
-      r_i0, r_i0_2, r_i0_2b, r_i0_3, r_i0_3b, r_i0b, r_i1, r_i1_2, r_i1_2b, r_i1_3, r_i1_3b, r_i1b,
-      r_i2, r_i2_2, r_i2_2b, r_i2_3, r_i2_3b, r_i2b, t2, t2b, t3, t3b, t4, t4b, tb10, tb11, tb12,
-      tb13, tb14, tb15, tb16, tb2, tb3, tb4, tb5, tb6, tb7, tb8, tb9;
+      l2_2, l2_2b, l30, l30b, l31, l31b, l32, l32b, lambda_i, lambda_ib, n20, n20b, n21, n21b, n22,
+      n22b, r_i0, r_i0_2, r_i0_2b, r_i0_3, r_i0_3b, r_i0b, r_i1, r_i1_2, r_i1_2b, r_i1_3, r_i1_3b,
+      r_i1b, r_i2, r_i2_2, r_i2_2b, r_i2_3, r_i2_3b, r_i2b, t2, t2b, t3, t3b, t4, t4b, tb10, tb11,
+      tb12, tb13, tb14, tb15, tb16, tb2, tb3, tb4, tb5, tb6, tb7, tb8, tb9;
 
   (void)F;
   for (i = t->nprim - 1; i >= 0; --i) {
@@ -148,11 +148,11 @@ void maggi_loop_forces_b(const maggi_topo *t, const double prim0[restrict t->npr
       dir_i2_3 = dir[t->primda[i]][2];
       dir_i2_4 = dir[t->primdb[i]][2];
       dir_i1_4 = dir[t->primda[i]][1];
-      n0 = dir_i1_3 * dir_i2_3 - dir_i2_4 * dir_i1_4;
+      n20 = dir_i1_3 * dir_i2_3 - dir_i2_4 * dir_i1_4;
       dir_i0_3 = dir[t->primda[i]][0];
       dir_i0_4 = dir[t->primdb[i]][0];
-      n1 = dir_i2_4 * dir_i0_3 - dir_i0_4 * dir_i2_3;
-      n2 = dir_i0_4 * dir_i1_4 - dir_i1_3 * dir_i0_3;
+      n21 = dir_i2_4 * dir_i0_3 - dir_i0_4 * dir_i2_3;
+      n22 = dir_i0_4 * dir_i1_4 - dir_i1_3 * dir_i0_3;
       lambda_i = lambda[t->primrow[i]];
       cb22_2b = Fb[t->primbb[i]][5];
       cb21_2b = Fb[t->primbb[i]][4];
@@ -160,33 +160,33 @@ void maggi_loop_forces_b(const maggi_topo *t, const double prim0[restrict t->npr
       ca2_2b = Fb[t->primba[i]][5];
       ca1_2b = Fb[t->primba[i]][4];
       ca0_2b = Fb[t->primba[i]][3];
-      lambda_ib = -(cb22_2b * n2);
-      n2b = -(cb22_2b * lambda_i);
-      lambda_ib += ca2_2b * n2;
-      n2b += ca2_2b * lambda_i;
-      lambda_ib -= cb21_2b * n1;
-      n1b = -(cb21_2b * lambda_i);
-      lambda_ib += ca1_2b * n1;
-      n1b += ca1_2b * lambda_i;
-      lambda_ib -= cb20_2b * n0;
-      n0b = -(cb20_2b * lambda_i);
-      lambda_ib += ca0_2b * n0;
-      n0b += ca0_2b * lambda_i;
+      lambda_ib = -(cb22_2b * n22);
+      n22b = -(cb22_2b * lambda_i);
+      lambda_ib += ca2_2b * n22;
+      n22b += ca2_2b * lambda_i;
+      lambda_ib -= cb21_2b * n21;
+      n21b = -(cb21_2b * lambda_i);
+      lambda_ib += ca1_2b * n21;
+      n21b += ca1_2b * lambda_i;
+      lambda_ib -= cb20_2b * n20;
+      n20b = -(cb20_2b * lambda_i);
+      lambda_ib += ca0_2b * n20;
+      n20b += ca0_2b * lambda_i;
       lambdab[t->primrow[i]] += lambda_ib;
-      dir_i0_4b = n2b * dir_i1_4;
-      dir_i1_4b = n2b * dir_i0_4;
-      dir_i1_3b = -(n2b * dir_i0_3);
-      dir_i0_3b = -(n2b * dir_i1_3);
-      dir_i2_4b = n1b * dir_i0_3;
-      dir_i0_3b += n1b * dir_i2_4;
-      dir_i0_4b -= n1b * dir_i2_3;
-      dir_i2_3b = -(n1b * dir_i0_4);
+      dir_i0_4b = n22b * dir_i1_4;
+      dir_i1_4b = n22b * dir_i0_4;
+      dir_i1_3b = -(n22b * dir_i0_3);
+      dir_i0_3b = -(n22b * dir_i1_3);
+      dir_i2_4b = n21b * dir_i0_3;
+      dir_i0_3b += n21b * dir_i2_4;
+      dir_i0_4b -= n21b * dir_i2_3;
+      dir_i2_3b = -(n21b * dir_i0_4);
       dirb[t->primdb[i]][0] += dir_i0_4b;
       dirb[t->primda[i]][0] += dir_i0_3b;
-      dir_i1_3b += n0b * dir_i2_3;
-      dir_i2_3b += n0b * dir_i1_3;
-      dir_i2_4b -= n0b * dir_i1_4;
-      dir_i1_4b -= n0b * dir_i2_4;
+      dir_i1_3b += n20b * dir_i2_3;
+      dir_i2_3b += n20b * dir_i1_3;
+      dir_i2_4b -= n20b * dir_i1_4;
+      dir_i1_4b -= n20b * dir_i2_4;
       dirb[t->primda[i]][1] += dir_i1_4b;
       dirb[t->primdb[i]][2] += dir_i2_4b;
       dirb[t->primda[i]][2] += dir_i2_3b;

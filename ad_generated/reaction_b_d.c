@@ -31,13 +31,14 @@ void maggi_loop_forces_b_d(const maggi_topo *t, const double prim0[restrict t->n
       fb0, fb0b, fb0bd, fb0d, fb1, fb1b, fb1bd, fb1d, fb2, fb2b, fb2bd, fb2d, l0, l0b, l0bd, l0d,
       l1, l1b, l1bd, l1d, l20, l20b, l20bd, l20d, l21, l21b, l21bd, l21d, l22, l22b, l22bd, l22d,
       l2_2, l2_2b, l2_2bd, l2_2d, l30, l30b, l30bd, l30d, l31, l31b, l31bd, l31d, l32, l32b, l32bd,
-      l32d, lambda_i, lambda_ib, lambda_ibd, lambda_id, n0, n0b, n0bd, n0d, n1, n1b, n1bd, n1d, n2,
-      n2b, n2bd, n2d, r_i0, r_i0_2, r_i0_2b, r_i0_2bd, r_i0_2d, r_i0_3, r_i0_3b, r_i0_3bd, r_i0_3d,
-      r_i0b, r_i0bd, r_i0d, r_i1, r_i1_2, r_i1_2b, r_i1_2bd, r_i1_2d, r_i1_3, r_i1_3b, r_i1_3bd,
-      r_i1_3d, r_i1b, r_i1bd, r_i1d, r_i2, r_i2_2, r_i2_2b, r_i2_2bd, r_i2_2d, r_i2_3, r_i2_3b,
-      r_i2_3bd, r_i2_3d, r_i2b, r_i2bd, r_i2d, t2, t2b, t2bd, t2d, t3, t3b, t3bd, t3d, t4, t4b,
-      t4bd, t4d, tb10, tb10d, tb11, tb11d, tb12, tb12d, tb13, tb13d, tb14, tb14d, tb15, tb15d, tb16,
-      tb16d, tb2, tb2d, tb3, tb3d, tb4, tb4d, tb5, tb5d, tb6, tb6d, tb7, tb7d, tb8, tb8d, tb9, tb9d;
+      l32d, lambda_i, lambda_ib, lambda_ibd, lambda_id, n20, n20b, n20bd, n20d, n21, n21b, n21bd,
+      n21d, n22, n22b, n22bd, n22d, r_i0, r_i0_2, r_i0_2b, r_i0_2bd, r_i0_2d, r_i0_3, r_i0_3b,
+      r_i0_3bd, r_i0_3d, r_i0b, r_i0bd, r_i0d, r_i1, r_i1_2, r_i1_2b, r_i1_2bd, r_i1_2d, r_i1_3,
+      r_i1_3b, r_i1_3bd, r_i1_3d, r_i1b, r_i1bd, r_i1d, r_i2, r_i2_2, r_i2_2b, r_i2_2bd, r_i2_2d,
+      r_i2_3, r_i2_3b, r_i2_3bd, r_i2_3d, r_i2b, r_i2bd, r_i2d, t2, t2b, t2bd, t2d, t3, t3b, t3bd,
+      t3d, t4, t4b, t4bd, t4d, tb10, tb10d, tb11, tb11d, tb12, tb12d, tb13, tb13d, tb14, tb14d,
+      tb15, tb15d, tb16, tb16d, tb2, tb2d, tb3, tb3d, tb4, tb4d, tb5, tb5d, tb6, tb6d, tb7, tb7d,
+      tb8, tb8d, tb9, tb9d;
 
   (void)F;
   (void)Fd;
@@ -277,18 +278,18 @@ void maggi_loop_forces_b_d(const maggi_topo *t, const double prim0[restrict t->n
       dir_i2_4d = dird[t->primdb[i]][2];
       dir_i1_4 = dir[t->primda[i]][1];
       dir_i1_4d = dird[t->primda[i]][1];
-      n0 = dir_i1_3 * dir_i2_3 - dir_i2_4 * dir_i1_4;
-      n0d = dir_i1_3d * dir_i2_3 + dir_i1_3 * dir_i2_3d - (dir_i2_4d * dir_i1_4 + dir_i2_4 *
+      n20 = dir_i1_3 * dir_i2_3 - dir_i2_4 * dir_i1_4;
+      n20d = dir_i1_3d * dir_i2_3 + dir_i1_3 * dir_i2_3d - (dir_i2_4d * dir_i1_4 + dir_i2_4 *
           dir_i1_4d);
       dir_i0_3 = dir[t->primda[i]][0];
       dir_i0_3d = dird[t->primda[i]][0];
       dir_i0_4 = dir[t->primdb[i]][0];
       dir_i0_4d = dird[t->primdb[i]][0];
-      n1 = dir_i2_4 * dir_i0_3 - dir_i0_4 * dir_i2_3;
-      n1d = dir_i2_4d * dir_i0_3 + dir_i2_4 * dir_i0_3d - (dir_i0_4d * dir_i2_3 + dir_i0_4 *
+      n21 = dir_i2_4 * dir_i0_3 - dir_i0_4 * dir_i2_3;
+      n21d = dir_i2_4d * dir_i0_3 + dir_i2_4 * dir_i0_3d - (dir_i0_4d * dir_i2_3 + dir_i0_4 *
           dir_i2_3d);
-      n2 = dir_i0_4 * dir_i1_4 - dir_i1_3 * dir_i0_3;
-      n2d = dir_i0_4d * dir_i1_4 + dir_i0_4 * dir_i1_4d - (dir_i1_3d * dir_i0_3 + dir_i1_3 *
+      n22 = dir_i0_4 * dir_i1_4 - dir_i1_3 * dir_i0_3;
+      n22d = dir_i0_4d * dir_i1_4 + dir_i0_4 * dir_i1_4d - (dir_i1_3d * dir_i0_3 + dir_i1_3 *
           dir_i0_3d);
       lambda_i = lambda[t->primrow[i]];
       lambda_id = lambdad[t->primrow[i]];
@@ -304,60 +305,60 @@ void maggi_loop_forces_b_d(const maggi_topo *t, const double prim0[restrict t->n
       ca1_2bd = Fbd[t->primba[i]][4];
       ca0_2b = Fb[t->primba[i]][3];
       ca0_2bd = Fbd[t->primba[i]][3];
-      lambda_ib = -(cb22_2b * n2);
-      lambda_ibd = -(cb22_2bd * n2 + cb22_2b * n2d);
-      n2b = -(cb22_2b * lambda_i);
-      n2bd = -(cb22_2bd * lambda_i + cb22_2b * lambda_id);
-      lambda_ib += ca2_2b * n2;
-      lambda_ibd += ca2_2bd * n2 + ca2_2b * n2d;
-      n2b += ca2_2b * lambda_i;
-      n2bd += ca2_2bd * lambda_i + ca2_2b * lambda_id;
-      lambda_ib -= cb21_2b * n1;
-      lambda_ibd -= cb21_2bd * n1 + cb21_2b * n1d;
-      n1b = -(cb21_2b * lambda_i);
-      n1bd = -(cb21_2bd * lambda_i + cb21_2b * lambda_id);
-      lambda_ib += ca1_2b * n1;
-      lambda_ibd += ca1_2bd * n1 + ca1_2b * n1d;
-      n1b += ca1_2b * lambda_i;
-      n1bd += ca1_2bd * lambda_i + ca1_2b * lambda_id;
-      lambda_ib -= cb20_2b * n0;
-      lambda_ibd -= cb20_2bd * n0 + cb20_2b * n0d;
-      n0b = -(cb20_2b * lambda_i);
-      n0bd = -(cb20_2bd * lambda_i + cb20_2b * lambda_id);
-      lambda_ib += ca0_2b * n0;
-      lambda_ibd += ca0_2bd * n0 + ca0_2b * n0d;
-      n0b += ca0_2b * lambda_i;
-      n0bd += ca0_2bd * lambda_i + ca0_2b * lambda_id;
+      lambda_ib = -(cb22_2b * n22);
+      lambda_ibd = -(cb22_2bd * n22 + cb22_2b * n22d);
+      n22b = -(cb22_2b * lambda_i);
+      n22bd = -(cb22_2bd * lambda_i + cb22_2b * lambda_id);
+      lambda_ib += ca2_2b * n22;
+      lambda_ibd += ca2_2bd * n22 + ca2_2b * n22d;
+      n22b += ca2_2b * lambda_i;
+      n22bd += ca2_2bd * lambda_i + ca2_2b * lambda_id;
+      lambda_ib -= cb21_2b * n21;
+      lambda_ibd -= cb21_2bd * n21 + cb21_2b * n21d;
+      n21b = -(cb21_2b * lambda_i);
+      n21bd = -(cb21_2bd * lambda_i + cb21_2b * lambda_id);
+      lambda_ib += ca1_2b * n21;
+      lambda_ibd += ca1_2bd * n21 + ca1_2b * n21d;
+      n21b += ca1_2b * lambda_i;
+      n21bd += ca1_2bd * lambda_i + ca1_2b * lambda_id;
+      lambda_ib -= cb20_2b * n20;
+      lambda_ibd -= cb20_2bd * n20 + cb20_2b * n20d;
+      n20b = -(cb20_2b * lambda_i);
+      n20bd = -(cb20_2bd * lambda_i + cb20_2b * lambda_id);
+      lambda_ib += ca0_2b * n20;
+      lambda_ibd += ca0_2bd * n20 + ca0_2b * n20d;
+      n20b += ca0_2b * lambda_i;
+      n20bd += ca0_2bd * lambda_i + ca0_2b * lambda_id;
       lambdab[t->primrow[i]] += lambda_ib;
       lambdabd[t->primrow[i]] += lambda_ibd;
-      dir_i0_4b = n2b * dir_i1_4;
-      dir_i0_4bd = n2bd * dir_i1_4 + n2b * dir_i1_4d;
-      dir_i1_4b = n2b * dir_i0_4;
-      dir_i1_4bd = n2bd * dir_i0_4 + n2b * dir_i0_4d;
-      dir_i1_3b = -(n2b * dir_i0_3);
-      dir_i1_3bd = -(n2bd * dir_i0_3 + n2b * dir_i0_3d);
-      dir_i0_3b = -(n2b * dir_i1_3);
-      dir_i0_3bd = -(n2bd * dir_i1_3 + n2b * dir_i1_3d);
-      dir_i2_4b = n1b * dir_i0_3;
-      dir_i2_4bd = n1bd * dir_i0_3 + n1b * dir_i0_3d;
-      dir_i0_3b += n1b * dir_i2_4;
-      dir_i0_3bd += n1bd * dir_i2_4 + n1b * dir_i2_4d;
-      dir_i0_4b -= n1b * dir_i2_3;
-      dir_i0_4bd -= n1bd * dir_i2_3 + n1b * dir_i2_3d;
-      dir_i2_3b = -(n1b * dir_i0_4);
-      dir_i2_3bd = -(n1bd * dir_i0_4 + n1b * dir_i0_4d);
+      dir_i0_4b = n22b * dir_i1_4;
+      dir_i0_4bd = n22bd * dir_i1_4 + n22b * dir_i1_4d;
+      dir_i1_4b = n22b * dir_i0_4;
+      dir_i1_4bd = n22bd * dir_i0_4 + n22b * dir_i0_4d;
+      dir_i1_3b = -(n22b * dir_i0_3);
+      dir_i1_3bd = -(n22bd * dir_i0_3 + n22b * dir_i0_3d);
+      dir_i0_3b = -(n22b * dir_i1_3);
+      dir_i0_3bd = -(n22bd * dir_i1_3 + n22b * dir_i1_3d);
+      dir_i2_4b = n21b * dir_i0_3;
+      dir_i2_4bd = n21bd * dir_i0_3 + n21b * dir_i0_3d;
+      dir_i0_3b += n21b * dir_i2_4;
+      dir_i0_3bd += n21bd * dir_i2_4 + n21b * dir_i2_4d;
+      dir_i0_4b -= n21b * dir_i2_3;
+      dir_i0_4bd -= n21bd * dir_i2_3 + n21b * dir_i2_3d;
+      dir_i2_3b = -(n21b * dir_i0_4);
+      dir_i2_3bd = -(n21bd * dir_i0_4 + n21b * dir_i0_4d);
       dirb[t->primdb[i]][0] += dir_i0_4b;
       dirbd[t->primdb[i]][0] += dir_i0_4bd;
       dirb[t->primda[i]][0] += dir_i0_3b;
       dirbd[t->primda[i]][0] += dir_i0_3bd;
-      dir_i1_3b += n0b * dir_i2_3;
-      dir_i1_3bd += n0bd * dir_i2_3 + n0b * dir_i2_3d;
-      dir_i2_3b += n0b * dir_i1_3;
-      dir_i2_3bd += n0bd * dir_i1_3 + n0b * dir_i1_3d;
-      dir_i2_4b -= n0b * dir_i1_4;
-      dir_i2_4bd -= n0bd * dir_i1_4 + n0b * dir_i1_4d;
-      dir_i1_4b -= n0b * dir_i2_4;
-      dir_i1_4bd -= n0bd * dir_i2_4 + n0b * dir_i2_4d;
+      dir_i1_3b += n20b * dir_i2_3;
+      dir_i1_3bd += n20bd * dir_i2_3 + n20b * dir_i2_3d;
+      dir_i2_3b += n20b * dir_i1_3;
+      dir_i2_3bd += n20bd * dir_i1_3 + n20b * dir_i1_3d;
+      dir_i2_4b -= n20b * dir_i1_4;
+      dir_i2_4bd -= n20bd * dir_i1_4 + n20b * dir_i1_4d;
+      dir_i1_4b -= n20b * dir_i2_4;
+      dir_i1_4bd -= n20bd * dir_i2_4 + n20b * dir_i2_4d;
       dirb[t->primda[i]][1] += dir_i1_4b;
       dirbd[t->primda[i]][1] += dir_i1_4bd;
       dirb[t->primdb[i]][2] += dir_i2_4b;

@@ -21,8 +21,8 @@ void maggi_loop_forces_d(const maggi_topo *t, const double prim0[restrict t->npr
       dir_i1_4d, dir_i1d, dir_i2, dir_i2_2, dir_i2_2d, dir_i2_3, dir_i2_3d, dir_i2_4, dir_i2_4d,
       dir_i2d, e0, e0d, e1, e1d, e20, e20d, e21, e21d, e22, e22d, e2_2, e2_2d, fa0, fa0d, fa1, fa1d,
       fa2, fa2d, fb0, fb0d, fb1, fb1d, fb2, fb2d, inv, inv2, inv3, l0, l0d, l1, l1d, l20, l20d, l21,
-      l21d, l22, l22d, l2_2, l2_2d, l30, l30d, l31, l31d, l32, l32d, lambda_i, lambda_id, n0, n0d,
-      n1, n1d, n2, n2d, r_i0, r_i0_2, r_i0_2d, r_i0_3, r_i0_3d, r_i0d, r_i1, r_i1_2, r_i1_2d,
+      l21d, l22, l22d, l2_2, l2_2d, l30, l30d, l31, l31d, l32, l32d, lambda_i, lambda_id, n20, n20d,
+      n21, n21d, n22, n22d, r_i0, r_i0_2, r_i0_2d, r_i0_3, r_i0_3d, r_i0d, r_i1, r_i1_2, r_i1_2d,
       r_i1_3, r_i1_3d, r_i1d, r_i2, r_i2_2, r_i2_2d, r_i2_3, r_i2_3d, r_i2d, t2, t2d, t3, t3d, t4,
       t4d;
 
@@ -69,27 +69,27 @@ void maggi_loop_forces_d(const maggi_topo *t, const double prim0[restrict t->npr
       dir_i2_4d = dird[t->primdb[i]][2];
       dir_i1_4 = dir[t->primda[i]][1];
       dir_i1_4d = dird[t->primda[i]][1];
-      n0 = dir_i1_3 * dir_i2_3 - dir_i2_4 * dir_i1_4;
-      n0d = dir_i1_3d * dir_i2_3 + dir_i1_3 * dir_i2_3d - (dir_i2_4d * dir_i1_4 + dir_i2_4 *
+      n20 = dir_i1_3 * dir_i2_3 - dir_i2_4 * dir_i1_4;
+      n20d = dir_i1_3d * dir_i2_3 + dir_i1_3 * dir_i2_3d - (dir_i2_4d * dir_i1_4 + dir_i2_4 *
           dir_i1_4d);
       dir_i0_3 = dir[t->primda[i]][0];
       dir_i0_3d = dird[t->primda[i]][0];
       dir_i0_4 = dir[t->primdb[i]][0];
       dir_i0_4d = dird[t->primdb[i]][0];
-      n1 = dir_i2_4 * dir_i0_3 - dir_i0_4 * dir_i2_3;
-      n1d = dir_i2_4d * dir_i0_3 + dir_i2_4 * dir_i0_3d - (dir_i0_4d * dir_i2_3 + dir_i0_4 *
+      n21 = dir_i2_4 * dir_i0_3 - dir_i0_4 * dir_i2_3;
+      n21d = dir_i2_4d * dir_i0_3 + dir_i2_4 * dir_i0_3d - (dir_i0_4d * dir_i2_3 + dir_i0_4 *
           dir_i2_3d);
-      n2 = dir_i0_4 * dir_i1_4 - dir_i1_3 * dir_i0_3;
-      n2d = dir_i0_4d * dir_i1_4 + dir_i0_4 * dir_i1_4d - (dir_i1_3d * dir_i0_3 + dir_i1_3 *
+      n22 = dir_i0_4 * dir_i1_4 - dir_i1_3 * dir_i0_3;
+      n22d = dir_i0_4d * dir_i1_4 + dir_i0_4 * dir_i1_4d - (dir_i1_3d * dir_i0_3 + dir_i1_3 *
           dir_i0_3d);
       lambda_i = lambda[t->primrow[i]];
       lambda_id = lambdad[t->primrow[i]];
-      ca0_2d = lambda_id * n0 + lambda_i * n0d;
-      cb20_2d = -(lambda_id * n0) - lambda_i * n0d;
-      ca1_2d = lambda_id * n1 + lambda_i * n1d;
-      cb21_2d = -(lambda_id * n1) - lambda_i * n1d;
-      ca2_2d = lambda_id * n2 + lambda_i * n2d;
-      cb22_2d = -(lambda_id * n2) - lambda_i * n2d;
+      ca0_2d = lambda_id * n20 + lambda_i * n20d;
+      cb20_2d = -(lambda_id * n20) - lambda_i * n20d;
+      ca1_2d = lambda_id * n21 + lambda_i * n21d;
+      cb21_2d = -(lambda_id * n21) - lambda_i * n21d;
+      ca2_2d = lambda_id * n22 + lambda_i * n22d;
+      cb22_2d = -(lambda_id * n22) - lambda_i * n22d;
       Fd[t->primba[i]][3] += ca0_2d;
       Fd[t->primba[i]][4] += ca1_2d;
       Fd[t->primba[i]][5] += ca2_2d;

@@ -18,7 +18,7 @@ void maggi_loop_forces_dv(const maggi_topo *t, const double prim0[restrict t->np
   int c, i, nd;
   double dir_i0, dir_i0_2, dir_i0_3, dir_i0_4, dir_i1, dir_i1_2, dir_i1_3, dir_i1_4, dir_i2,
       dir_i2_2, dir_i2_3, dir_i2_4, e0, e1, e20, e21, e22, e2_2, fa0, fa1, fa2, fb0, fb1, fb2, inv,
-      inv2, inv3, l0, l1, l20, l21, l22, l2_2, l30, l31, l32, lambda_i, n0, n1, n2, r_i0, r_i0_2,
+      inv2, inv3, l0, l1, l20, l21, l22, l2_2, l30, l31, l32, lambda_i, n20, n21, n22, r_i0, r_i0_2,
       r_i0_3, r_i1, r_i1_2, r_i1_3, r_i2, r_i2_2, r_i2_3, t2, t3, t4;
   double fa0d[MAGGI_NDIR], fa1d[MAGGI_NDIR], fb0d[MAGGI_NDIR], fb1d[MAGGI_NDIR], fb2d[MAGGI_NDIR];
 
@@ -68,36 +68,36 @@ void maggi_loop_forces_dv(const maggi_topo *t, const double prim0[restrict t->np
       dir_i2_3 = dir[t->primda[i]][2];
       dir_i2_4 = dir[t->primdb[i]][2];
       dir_i1_4 = dir[t->primda[i]][1];
-      n0 = dir_i1_3 * dir_i2_3 - dir_i2_4 * dir_i1_4;
+      n20 = dir_i1_3 * dir_i2_3 - dir_i2_4 * dir_i1_4;
       dir_i0_3 = dir[t->primda[i]][0];
       dir_i0_4 = dir[t->primdb[i]][0];
-      n1 = dir_i2_4 * dir_i0_3 - dir_i0_4 * dir_i2_3;
-      n2 = dir_i0_4 * dir_i1_4 - dir_i1_3 * dir_i0_3;
+      n21 = dir_i2_4 * dir_i0_3 - dir_i0_4 * dir_i2_3;
+      n22 = dir_i0_4 * dir_i1_4 - dir_i1_3 * dir_i0_3;
       lambda_i = lambda[t->primrow[i]];
 #pragma omp simd
       for (nd = 0; nd < MAGGI_NDIR; ++nd) {
         double ca0_2d, ca1_2d, ca2_2d, cb20_2d, cb21_2d, cb22_2d, dir_i0_3d, dir_i0_4d, dir_i1_3d,
-            dir_i1_4d, dir_i2_3d, dir_i2_4d, lambda_id, n0d, n1d, n2d;
+            dir_i1_4d, dir_i2_3d, dir_i2_4d, lambda_id, n20d, n21d, n22d;
 
         dir_i1_3d = dird[t->primdb[i]][1][nd];
         dir_i2_3d = dird[t->primda[i]][2][nd];
         dir_i2_4d = dird[t->primdb[i]][2][nd];
         dir_i1_4d = dird[t->primda[i]][1][nd];
-        n0d = dir_i1_3d * dir_i2_3 + dir_i1_3 * dir_i2_3d - (dir_i2_4d * dir_i1_4 + dir_i2_4 *
+        n20d = dir_i1_3d * dir_i2_3 + dir_i1_3 * dir_i2_3d - (dir_i2_4d * dir_i1_4 + dir_i2_4 *
             dir_i1_4d);
         dir_i0_3d = dird[t->primda[i]][0][nd];
         dir_i0_4d = dird[t->primdb[i]][0][nd];
-        n1d = dir_i2_4d * dir_i0_3 + dir_i2_4 * dir_i0_3d - (dir_i0_4d * dir_i2_3 + dir_i0_4 *
+        n21d = dir_i2_4d * dir_i0_3 + dir_i2_4 * dir_i0_3d - (dir_i0_4d * dir_i2_3 + dir_i0_4 *
             dir_i2_3d);
-        n2d = dir_i0_4d * dir_i1_4 + dir_i0_4 * dir_i1_4d - (dir_i1_3d * dir_i0_3 + dir_i1_3 *
+        n22d = dir_i0_4d * dir_i1_4 + dir_i0_4 * dir_i1_4d - (dir_i1_3d * dir_i0_3 + dir_i1_3 *
             dir_i0_3d);
         lambda_id = lambdad[t->primrow[i]][nd];
-        ca0_2d = lambda_id * n0 + lambda_i * n0d;
-        cb20_2d = -(lambda_id * n0) - lambda_i * n0d;
-        ca1_2d = lambda_id * n1 + lambda_i * n1d;
-        cb21_2d = -(lambda_id * n1) - lambda_i * n1d;
-        ca2_2d = lambda_id * n2 + lambda_i * n2d;
-        cb22_2d = -(lambda_id * n2) - lambda_i * n2d;
+        ca0_2d = lambda_id * n20 + lambda_i * n20d;
+        cb20_2d = -(lambda_id * n20) - lambda_i * n20d;
+        ca1_2d = lambda_id * n21 + lambda_i * n21d;
+        cb21_2d = -(lambda_id * n21) - lambda_i * n21d;
+        ca2_2d = lambda_id * n22 + lambda_i * n22d;
+        cb22_2d = -(lambda_id * n22) - lambda_i * n22d;
         Fd[t->primba[i]][3][nd] += ca0_2d;
         Fd[t->primba[i]][4][nd] += ca1_2d;
         Fd[t->primba[i]][5][nd] += ca2_2d;

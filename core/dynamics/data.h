@@ -172,7 +172,6 @@ void maggi_evaluate(maggi_data *d, double time);       /* all, from q and vcol *
 void maggi_evaluate_given(maggi_data *d, double time); /* what results need, from q, v and a */
 int maggi_is_singular(const maggi_data *d);  /* whether the last evaluation cannot be trusted */
 void maggi_balance(maggi_data *d);           /* accelerations of bodies, forces, multipliers */
-void maggi_remainders(maggi_data *d);        /* of the loop equations; after maggi_balance */
 void maggi_results(maggi_data *d);           /* what is computed only on demand */
 double maggi_violation(const maggi_data *d); /* largest |Phi|, NAN if one is */
 double maggi_smallest_pivot(const maggi_data *d, double *ratio, int *dep);

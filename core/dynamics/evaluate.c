@@ -175,17 +175,6 @@ void maggi_results(maggi_data *d)
   d->fresh = MAGGI_FRESH;
 }
 
-/* Rates and accelerations solve the loop equations by least squares: what is left of these where
- * loops have more equations than dependent coordinates; round-off where they are closed. */
-void maggi_remainders(maggi_data *d)
-{
-  const maggi_topo *t = &d->t;
-
-  maggi_loop_rates(t, d->prim0, ARRAY(d->r), ARRAY(d->dir), ARRAY(d->rv), ARRAY(d->Z), d->rate);
-  maggi_loop_gamma(t, d->prim0, ARRAY(d->r), ARRAY(d->dir), ARRAY(d->rv), ARRAY(d->ra), ARRAY(d->Z),
-                   ARRAY(d->Za), d->gama);
-}
-
 double maggi_violation(const maggi_data *d)
 {
   double largest = 0.0;

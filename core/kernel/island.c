@@ -250,8 +250,9 @@ static void prim_wrench(int kind, int row, double length, const double ra[3], co
   }
 }
 
-/* mu of one island, L L^T mu = w, and y = Phi mu; where the pivots of L differ much, one step of
- * refinement; work holds n numbers */
+/* mu of one island, L L^T mu = w, and y = Phi mu.  Where the pivots of L differ much, one step of
+ * refinement: mu is by another of them larger than y, so y gets the correction and not the sum.  work
+ * holds n numbers. */
 ALWAYS_INLINE void island_multipliers(int m, int n, const double *phi, const double *L,
                                       const double *w, double *mu, double *y, double *work)
 {
@@ -262,13 +263,14 @@ ALWAYS_INLINE void island_multipliers(int m, int n, const double *phi, const dou
     work[i] = w[i];
     mu[i] = 0.0;
   }
+  clear(m, y);
   for (pass = 0;; ++pass) {
     substitute(n, 1, L, work);
     for (i = 0; i < n; ++i) mu[i] += work[i];
     for (row = 0; row < m; ++row) {
       s = 0.0;
-      for (i = 0; i < n; ++i) s += phi[row * n + i] * mu[i];
-      y[row] = s;
+      for (i = 0; i < n; ++i) s += phi[row * n + i] * work[i];
+      y[row] += s;
     }
     if (pass > 0 || !has_small_pivots(n, L)) return;
     for (i = 0; i < n; ++i) {

@@ -1,229 +1,21 @@
-/* Memory of the derivatives, and the functions of the user. */
+/* Derivatives of an evaluation, in the order of the user. */
 #include "derivative.h"
 
 #include <assert.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "implicit.h"
-
-/* ---------------------------------------------------------------------------------------- memory */
-
-/* a multiple of a cache line */
-static size_t block(size_t n)
-{
-  return (n + 7) / 8 * 8;
-}
-
-static double *numbers(size_t n)
-{
-  size_t size = (block(n) + 8) * sizeof(double);
-  double *a = aligned_alloc(64, size);
-
-  if (a) memset(a, 0, size);
-  return a;
-}
-
-/* places of the constants of a companion, from `at` on; how many numbers these are */
-static size_t place_constants(maggi_companion *s, const maggi_topo *t, double *at)
-{
-  size_t n = 0;
-
-#define X(name, numbers)                                                                           \
-  s->name = at ? at + n : NULL;                                                                    \
-  n += block((size_t)(numbers) * (size_t)s->width);
-  MAGGI_ACTIVE_CONSTANTS(X)
-#undef X
-  return n;
-}
-
-static size_t place_motion(maggi_companion *s, const maggi_topo *t, double *at)
-{
-  size_t n = 0;
-
-#define X(name, numbers)                                                                           \
-  s->name = at ? at + n : NULL;                                                                    \
-  n += block((size_t)(numbers) * (size_t)s->width);
-  MAGGI_ACTIVE_LIST(X)
-#undef X
-  return n;
-}
-
-/* n sets of constants */
-static int companion_create(maggi_companion *s, const maggi_topo *t, int width, int n)
-{
-  s->width = width;
-  s->nconstants = place_constants(s, t, NULL);
-  s->nmotion = place_motion(s, t, NULL);
-  s->constants = numbers(s->nconstants * (size_t)n);
-  s->motion = numbers(s->nmotion);
-  if (!s->constants || !s->motion) return 0;
-  place_constants(s, t, s->constants);
-  place_motion(s, t, s->motion);
-  return 1;
-}
-
-static void companion_free(maggi_companion *s)
-{
-  free(s->constants);
-  free(s->motion);
-  free(s->phi);
-}
-
-/* room for n numbers that the plan sizes, zeroed */
-static int fit_numbers(double **a, size_t *cap, size_t n)
-{
-  if (*a && n <= *cap) {
-    memset(*a, 0, n * sizeof(double));
-    return 1;
-  }
-  free(*a);
-  *cap = n + n / 4 + 64; /* room for another choice of coordinates */
-  *a = numbers(*cap);
-  if (!*a) *cap = 0;
-  return *a != NULL;
-}
-
-/* blocks of Phi: what the plan does not list stays zero */
-static int companion_fit(maggi_companion *s, const maggi_topo *t)
-{
-  s->nphi = (size_t)t->nphi * (size_t)s->width;
-  return fit_numbers(&s->phi, &s->capphi, s->nphi);
-}
-
-static void companion_clear(const maggi_companion *s)
-{
-  memset(s->motion, 0, s->nmotion * sizeof(double));
-  memset(s->phi, 0, s->nphi * sizeof(double));
-}
-
-static int place_solves(maggi_derivative *D)
-{
-  const maggi_topo *t = &D->d->t;
-  size_t n = 0;
-
-#define X(name, numbers) n += block((size_t)(numbers));
-  MAGGI_SOLVE_LIST(X)
-#undef X
-  D->memory = numbers(n);
-  if (!D->memory) return 0;
-  n = 0;
-#define X(name, numbers)                                                                           \
-  D->name = D->memory + n;                                                                         \
-  n += block((size_t)(numbers));
-  MAGGI_SOLVE_LIST(X)
-#undef X
-  return 1;
-}
-
-/* Lists of the islands with the dependent coordinates alone: where another one moves, a velocity row is
- * that of its source, and row 0 is at rest. */
-static void list_islands(maggi_derivative *D)
-{
-  const maggi_topo *t = &D->d->t;
-  int i, k, prim, row, y = 0, n = 0;
-
-  D->t = *t;
-  D->t.islvop = D->islvop;
-  D->t.vopdst = D->vopdst;
-  D->t.vopsrc = D->vopsrc;
-  D->t.vopq = D->vopq;
-  D->t.primva = D->primva;
-  D->t.primvb = D->primvb;
-  D->same[0] = 0;
-  for (k = 0; k < t->nisland; ++k) {
-    D->islvop[k] = n;
-    for (i = t->islvop[k]; i < t->islvop[k + 1]; ++i) {
-      D->same[t->vopdst[i]] = D->same[t->vopsrc[i]];
-      if (t->col[t->vopq[i]] >= 0) continue;
-      D->same[t->vopdst[i]] = t->vopdst[i];
-      D->vopdst[n] = t->vopdst[i];
-      D->vopsrc[n] = D->same[t->vopsrc[i]];
-      D->vopq[n++] = t->vopq[i];
-    }
-    D->coupled[k] = 0;
-    for (i = t->islprim[k]; i < t->islprim[k + 1]; ++i) {
-      prim = t->primorder[i];
-      D->primva[prim] = D->same[t->primva[prim]];
-      D->primvb[prim] = D->same[t->primvb[prim]];
-      if (D->primva[prim] > 0 || D->primvb[prim] > 0) D->coupled[k] = 1;
-      for (row = 0; row < maggi_prim_rows(t->primkind[prim]); ++row)
-        D->rowloop[y++] = t->primrow[prim] + row;
-    }
-  }
-  D->islvop[t->nisland] = n;
-}
-
-/* what depends on the choice of the independent coordinates */
-static maggi_status fit(maggi_derivative *D)
-{
-  const maggi_topo *t = &D->d->t;
-
-  if (D->plan == D->d->plans) return MAGGI_OK;
-  if (!fit_numbers(&D->V, &D->capV, (size_t)t->nvrow * 6 * MAGGI_NDIR) ||
-      !companion_fit(&D->tangent, t) || !companion_fit(&D->strip, t) ||
-      !companion_fit(&D->adjoint, t) || !companion_fit(&D->second, t))
-    return maggi_data_fail(D->d, MAGGI_E_MEMORY, "out of memory");
-  memset(D->x, 0, (size_t)t->nq * sizeof(double));
-  memset(D->xs, 0, (size_t)t->nq * MAGGI_NDIR * sizeof(double));
-  list_islands(D);
-  D->plan = D->d->plans;
-  return MAGGI_OK;
-}
-
-maggi_status maggi_derivative_create(maggi_data *d, int ndirection, maggi_derivative **derivative)
-{
-  const maggi_topo *t = &d->t;
-  maggi_derivative *D;
-  int ok;
-
-  assert(ndirection >= 0);
-  *derivative = NULL;
-  D = calloc(1, sizeof *D);
-  if (!D) return MAGGI_E_MEMORY;
-  D->d = d;
-  D->nkept = ndirection > MAGGI_NDIR ? (ndirection + MAGGI_NDIR - 1) / MAGGI_NDIR : 1;
-  ok = place_solves(D) && companion_create(&D->tangent, t, 1, 1) &&
-       companion_create(&D->strip, t, MAGGI_NDIR, D->nkept) &&
-       companion_create(&D->adjoint, t, 1, 1) && companion_create(&D->second, t, 1, 1);
-#define X(name, size)                                                                              \
-  D->name = calloc((size_t)(size) + 1, sizeof(int));                                               \
-  ok = ok && D->name;
-  MAGGI_ISLAND_LIST(X)
-#undef X
-  if (!ok || (d->plans > 0 && fit(D) != MAGGI_OK)) {
-    maggi_derivative_free(D);
-    return MAGGI_E_MEMORY;
-  }
-  *derivative = D;
-  return MAGGI_OK;
-}
-
-void maggi_derivative_free(maggi_derivative *D)
-{
-  if (!D) return;
-  companion_free(&D->tangent);
-  companion_free(&D->strip);
-  companion_free(&D->adjoint);
-  companion_free(&D->second);
-#define X(name, size) free(D->name);
-  MAGGI_ISLAND_LIST(X)
-#undef X
-  free(D->V);
-  free(D->memory);
-  free(D);
-}
 
 /* ------------------------------------------------------------------------------- the evaluation */
 
 maggi_status maggi_linearise_at(maggi_derivative *D, double time)
 {
-  maggi_status status = fit(D);
+  maggi_status status = maggi_derivative_fit(D);
 
   if (status != MAGGI_OK) return status;
   D->time = time;
   maggi_balance(D->d);
-  if (D->d->t.ndep > 0) maggi_remainders(D->d);
+  if (D->d->t.ndep > 0) maggi_remainders(D);
   return MAGGI_OK;
 }
 
@@ -255,16 +47,21 @@ void maggi_parameters_jvp(maggi_derivative *D, const double *p)
 /* constants of the strip that holds the direction `first` */
 static void choose_strip(maggi_derivative *D, int first)
 {
-  place_constants(&D->strip, &D->d->t,
-                  D->strip.constants + (size_t)(first / MAGGI_NDIR) * D->strip.nconstants);
+  maggi_place_constants(&D->strip, &D->d->t,
+                        D->strip.constants + (size_t)(first / MAGGI_NDIR) * D->strip.nconstants);
 }
 
 /* row of at most MAGGI_NDIR directions, zeros after them */
-static void load_row(int n, const double *from, double *to)
+static inline void load_row(int n, const double *from, double *to)
 {
   int c;
 
-  for (c = 0; c < MAGGI_NDIR; ++c) to[c] = c < n ? from[c] : 0.0;
+  if (n >= MAGGI_NDIR) {
+    memcpy(to, from, MAGGI_NDIR * sizeof(double));
+    return;
+  }
+  for (c = 0; c < n; ++c) to[c] = from[c];
+  for (; c < MAGGI_NDIR; ++c) to[c] = 0.0;
 }
 
 void maggi_parameters_jac(maggi_derivative *D, int n, int ld, const double *p)
@@ -369,7 +166,7 @@ void maggi_state_jac(maggi_derivative *D, int n, int ld, const double *q, const 
 
 static void start_adjoint(maggi_derivative *D, const double *v_bar, const double *a_bar)
 {
-  companion_clear(&D->adjoint);
+  maggi_companion_clear(&D->adjoint);
   scatter(D->d, v_bar, D->adjoint.v);
   scatter(D->d, a_bar, D->adjoint.a);
 }
@@ -422,7 +219,7 @@ void maggi_motion_hvp(maggi_derivative *D, const double *v_bar, const double *a_
   maggi_tangent_forces(D);
   maggi_parameters_clear(D);
   start_adjoint(D, v_bar, a_bar);
-  companion_clear(&D->second);
+  maggi_companion_clear(&D->second);
   memset(D->second.constants, 0, D->second.nconstants * sizeof(double));
   maggi_second_motion(D);
   gather(D->d, D->second.q, q_out);

@@ -86,6 +86,7 @@ typedef struct maggi_companion {
   X(work, t->nq)                                                                                   \
   X(rows, t->nrow)                                                                                 \
   X(moved, t->nq) /* R y_d */                                                                      \
+  X(range, t->nq)                                                                                  \
   X(mu_d, t->nq)                                                                                   \
   X(omega, t->nq)                                                                                  \
   X(omega_p, t->nq)                                                                                \
@@ -113,7 +114,8 @@ struct maggi_derivative {
   int nkept;              /* sets of constants of D->strip, for as many strips */
   int tangent_moves;      /* whether tangents of constants are not all zero */
   int kept_move;
-  maggi_topo t; /* that of d with the lists below */
+  maggi_topo t;  /* that of d with the lists below */
+  int redundant; /* whether an island has more equations than dependents */
 #define X(name, size) int *name;
   MAGGI_ISLAND_LIST(X)
 #undef X
@@ -124,6 +126,12 @@ struct maggi_derivative {
   MAGGI_SOLVE_LIST(X)
 #undef X
 };
+
+/* workspace.c */
+maggi_status maggi_derivative_fit(maggi_derivative *D); /* to the present plan */
+void maggi_companion_clear(const maggi_companion *s);   /* all but the constants */
+/* constants of s from `at` on; how many numbers they are */
+size_t maggi_place_constants(maggi_companion *s, const maggi_topo *t, double *at);
 
 /* The sweeps, all on D after maggi_linearise_at.
  * tangent.c, strip.c: from constants, positions and velocities of independent coordinates to velocities

@@ -47,7 +47,7 @@ static inline void forward(maggi_derivative *D, const maggi_companion *s)
   velocities(D, s);
   point_velocities(D, s);
   if (t->ndep > 0) {
-    loop_entries(D, s);
+    if (D->redundant) loop_entries(D, s);
     loop_rates(D, s);
     MODE(maggi_close)(D, -1.0, d->rate, s->rate, s->phi, s->v);
     velocities(D, s);

@@ -1,12 +1,50 @@
-/* Rules of the linear solves.  Derivation of each above it; equations (1) to (3), G, K, R and M as in
- * derivative.h. */
+/* Rules of the linear solves, tangents.  Derivation of each above it; equations (1) to (3), G, K, R and M
+ * as in derivative.h.
+ *
+ * Of G_d mu the part in the range of G only shifts mu_d; what matters is P G_d mu, P = 1 - G A^-1 G^T.
+ * In a square island, with as many equations as dependents, P is zero, and so are rate and gama: there
+ * G_d does not matter at all.  Near singular positions mu grows with the square of what lambda = G mu
+ * grows with; there the other part is taken out, and so is what round-off has put into the range of G
+ * elsewhere, before it is magnified.  Other islands do without. */
 #include "implicit.h"
 
 #include <string.h>
 
-#include "columns.h"
+#include "island.h"
 
-enum { SMALL = 3 }; /* islands of so many dependents stay in registers */
+void maggi_project_rows(maggi_derivative *D, double *y_d, const double *phi_d, const double *y)
+{
+  island o;
+  int k;
+
+  for (k = 0; k < D->d->t.nisland; ++k) {
+    o = island_of(D, k);
+    if (!is_square(&o) && !is_delicate(&o)) continue;
+    gather_rows(1, &o, y_d, D->rest);
+    if (is_square(&o))
+      clear(o.m, D->rest);
+    else
+      solve(1, 1, &o, D->rest, phi_d, 1.0, y, D->space, NULL);
+    scatter_rows(1, &o, D->rest, y_d);
+  }
+}
+
+void maggi_remainders(maggi_derivative *D)
+{
+  maggi_data *d = D->d;
+  const maggi_topo *t = &d->t;
+
+  if (!D->redundant) {
+    memset(d->rate, 0, (size_t)t->nrow * sizeof(double));
+    memset(d->gama, 0, (size_t)t->nrow * sizeof(double));
+    return;
+  }
+  maggi_loop_rates(t, d->prim0, (void *)d->r, (void *)d->dir, (void *)d->rv, (void *)d->Z, d->rate);
+  maggi_loop_gamma(t, d->prim0, (void *)d->r, (void *)d->dir, (void *)d->rv, (void *)d->ra,
+                   (void *)d->Z, (void *)d->Za, d->gama);
+  maggi_project_rows(D, d->rate, NULL, NULL);
+  maggi_project_rows(D, d->gama, NULL, NULL);
+}
 
 /* ----------------------------------------------------------------------------- (1) and (2): tangent
  *
@@ -14,88 +52,28 @@ enum { SMALL = 3 }; /* islands of so many dependents stay in registers */
  *
  * with y_d at x_d = 0; K by forward substitution over the islands. */
 
-/* X = sign G_d^T y + G^T rest */
-ALWAYS_INLINE void normal_side(int width, int m, int n, const double *phi, const double *phi_d,
-                               double sign, const double *y, const int *rowloop, const double *rest,
-                               double *X)
-{
-  int i, row;
-
-  clear(n * width, X);
-  for (row = 0; row < m; ++row) {
-    for (i = 0; i < n; ++i) {
-      axpy(width, sign * y[rowloop[row]], phi_d + (row * n + i) * width, X + i * width);
-      axpy(width, phi[row * n + i], rest + row * width, X + i * width);
-    }
-  }
-}
-
-ALWAYS_INLINE void solve_island(int width, int m, int n, const double *phi, const double *L,
-                                const double *phi_d, double sign, const double *y,
-                                const int *rowloop, double *rest, double *X, double *T)
-{
-  int i, row;
-
-  normal_side(width, m, n, phi, phi_d, sign, y, rowloop, rest, X);
-  substitute(n, width, L, X);
-  if (!has_small_pivots(n, L)) return;
-  for (row = 0; row < m; ++row)
-    for (i = 0; i < n; ++i) axpy(width, -phi[row * n + i], X + i * width, rest + row * width);
-  normal_side(width, m, n, phi, phi_d, sign, y, rowloop, rest, T);
-  substitute(n, width, L, T);
-  for (i = 0; i < n; ++i) axpy(width, 1.0, T + i * width, X + i * width);
-}
-
-/* n is a constant of the caller */
-ALWAYS_INLINE void solve_small(int width, int m, int n, const double *phi, const double *L,
-                               const double *phi_d, double sign, const double *y,
-                               const int *rowloop, double *rest, const int *dep, double *x)
-{
-  double X[SMALL * MAGGI_NDIR], T[SMALL * MAGGI_NDIR];
-  int i;
-
-  solve_island(width, m, n, phi, L, phi_d, sign, y, rowloop, rest, X, T);
-  for (i = 0; i < n; ++i) load(width, X + i * width, x + dep[i] * width);
-}
-
-/* x is zero on coordinates that are not dependent; rest = sign y_d - Phi x_d of earlier islands */
+/* x is zero on coordinates that are not dependent */
 ALWAYS_INLINE void close_islands(int width, maggi_derivative *D, double sign, const double *y,
                                  const double *y_d, const double *phi_d, double *V, double *rest,
                                  double *x)
 {
   const maggi_data *d = D->d;
   const maggi_topo *t = &d->t;
-  const double *phi, *phid, *L;
-  const int *dep, *rowloop;
-  double *island;
-  int k, m, n, i;
+  double *Y;
+  island o;
+  int k, i;
 
   for (k = 0; k < t->nisland; ++k) {
-    m = t->islrow[k + 1] - t->islrow[k];
-    n = t->isldep[k + 1] - t->isldep[k];
-    phi = d->phi + t->islphi[k];
-    phid = phi_d + (size_t)t->islphi[k] * (size_t)width;
-    L = d->chol + t->islchol[k];
-    dep = t->dep + t->isldep[k];
-    rowloop = D->rowloop + t->islrow[k];
-    island = rest + t->islrow[k] * width;
+    o = island_of(D, k);
+    Y = rest + t->islrow[k] * width;
+    /* Y = sign y_d - Phi x of earlier islands */
     if (D->coupled[k])
       maggi_island_rates(&D->t, k, width, d->prim0, (void *)d->r, (void *)d->dir, (void *)d->b, x,
                          V, rest);
     else
-      clear(m * width, island);
-    for (i = 0; i < m; ++i) axpy(width, sign, y_d + rowloop[i] * width, island + i * width);
-    if (n == 1) {
-      solve_small(width, m, 1, phi, L, phid, sign, y, rowloop, island, dep, x);
-    } else if (n == 2) {
-      solve_small(width, m, 2, phi, L, phid, sign, y, rowloop, island, dep, x);
-    } else if (n == 3) {
-      solve_small(width, m, 3, phi, L, phid, sign, y, rowloop, island, dep, x);
-    } else {
-      solve_island(width, m, n, phi, L, phid, sign, y, rowloop, island, D->space,
-                   D->space + n * width);
-      for (i = 0; i < n; ++i) load(width, D->space + i * width, x + dep[i] * width);
-    }
+      clear(o.m * width, Y);
+    for (i = 0; i < o.m; ++i) axpy(width, sign, y_d + o.row[i] * width, Y + i * width);
+    solve(width, 0, &o, Y, phi_d, sign, is_square(&o) ? NULL : y, D->space, x);
   }
 }
 
@@ -122,43 +100,38 @@ void maggi_close_dv(maggi_derivative *D, double sign, const double *y, const dou
 
 /* ------------------------------------------------------------------------------------ (3): tangent
  *
- *   w_d - M R y_d - Phi^T G mu_d = 0,  w_d at a_d of (2), G_d mu in lambda_d
- *   R^T:  M^ y_d = R^T w_d;  dependents:  K^T mu_d = w_d - M R y_d */
+ *   w_d - M R y_d - Phi^T G mu_d = 0,  w_d at a_d of (2) and lambda_d = G_d mu
+ *   R^T:  M^ y_d = R^T w_d;  dependents:  K^T mu_d = w_d - M R y_d
+ *
+ * With lambda_d = P G_d mu, mu_d is what this gives less A^-1 G^T G_d mu. */
 
-/* lambda = G_d x, by islands */
-ALWAYS_INLINE void island_product(int width, const maggi_derivative *D, const double *phi,
-                                  const double *x, double *lambda)
+/* lambda = G_d mu, or P G_d mu and range = A^-1 G^T G_d mu */
+ALWAYS_INLINE void multipliers(int width, maggi_derivative *D, const double *phi_d, double *range,
+                               double *lambda)
 {
-  const maggi_topo *t = &D->d->t;
-  const double *block;
-  int k, i, n, row, m;
+  island o;
+  int k, i;
 
-  for (k = 0; k < t->nisland; ++k) {
-    m = t->islrow[k + 1] - t->islrow[k];
-    n = t->isldep[k + 1] - t->isldep[k];
-    block = phi + (size_t)t->islphi[k] * (size_t)width;
-    for (row = 0; row < m; ++row) {
-      double sum[MAGGI_NDIR] = {0.0};
-
-      for (i = 0; i < n; ++i)
-        axpy(width, x[t->dep[t->isldep[k] + i]], block + (row * n + i) * width, sum);
-      load(width, sum, lambda + D->rowloop[t->islrow[k] + row] * width);
-    }
+  for (k = 0; k < D->d->t.nisland; ++k) {
+    o = island_of(D, k);
+    island_product(width, &o, phi_d, D->d->mu, D->rest);
+    for (i = 0; i < o.n && range; ++i) range[o.dep[i]] = 0.0;
+    if (is_delicate(&o)) solve(width, 1, &o, D->rest, NULL, 0.0, NULL, D->space, range);
+    scatter_rows(width, &o, D->rest, lambda);
   }
 }
 
 void maggi_multipliers_d(maggi_derivative *D, const maggi_companion *s)
 {
-  island_product(1, D, s->phi, D->d->mu, s->lambda);
+  multipliers(1, D, s->phi, D->range, s->lambda);
 }
 
 void maggi_multipliers_dv(maggi_derivative *D, const maggi_companion *s)
 {
-  island_product(MAGGI_NDIR, D, s->phi, D->d->mu, s->lambda);
+  multipliers(MAGGI_NDIR, D, s->phi, NULL, s->lambda);
 }
 
-/* x = R (R^T M R)^-1 R^T w on independent and dependent coordinates, 0 on guided ones */
-static void move_independents(maggi_derivative *D, const double *w, double *x)
+void maggi_move_independents(maggi_derivative *D, const double *w, double *x)
 {
   maggi_data *d = D->d;
   const maggi_topo *t = &d->t;
@@ -174,11 +147,11 @@ void maggi_independents_d(maggi_derivative *D, const maggi_companion *s)
 {
   int i;
 
-  move_independents(D, s->w, D->moved);
+  maggi_move_independents(D, s->w, D->moved);
   for (i = 0; i < D->d->t.nq; ++i) s->a[i] += D->moved[i];
 }
 
-/* column of U^T U y = fr in place for all directions; `first` of a column is where it begins */
+/* U^T U y = y in place, all directions; `first` of a column is where it begins */
 static void solve_mass_dv(const maggi_topo *t, const double *Ur, const double *dinv, double *y)
 {
   enum { W = MAGGI_NDIR };
@@ -226,10 +199,29 @@ void maggi_independents_dv(maggi_derivative *D, const maggi_companion *s)
   }
 }
 
-/* ------------------------------------------------------------------------------------ the transposes */
+/* ------------------------------------------------------------------------------ for second derivatives */
 
-/* y -= M x */
-static void subtract_inertia(const maggi_data *d, const double *x, double *y)
+void maggi_multipliers_rest_d(maggi_derivative *D, const maggi_companion *s)
+{
+  const maggi_topo *t = &D->d->t;
+  int i;
+
+  memcpy(D->work, s->w, (size_t)t->nq * sizeof(double));
+  maggi_subtract_inertia(D->d, D->moved, D->work);
+  maggi_solve_transposed(D, D->work, D->mu_d, D->rows);
+  for (i = 0; i < t->islrow[t->nisland]; ++i) s->lambda[D->rowloop[i]] += D->rows[D->rowloop[i]];
+  for (i = 0; i < t->ndep; ++i) D->mu_d[t->dep[i]] -= D->range[t->dep[i]];
+}
+
+void maggi_remainders_d(maggi_derivative *D, const maggi_companion *s)
+{
+  maggi_project_rows(D, s->rate, s->phi, D->d->rate);
+  maggi_project_rows(D, s->gama, s->phi, D->d->gama);
+}
+
+/* --------------------------------------------------------------------------- for adjoints as well */
+
+void maggi_subtract_inertia(const maggi_data *d, const double *x, double *y)
 {
   const maggi_topo *t = &d->t;
   int k, i, j;
@@ -242,147 +234,10 @@ static void subtract_inertia(const maggi_data *d, const double *x, double *y)
   }
 }
 
-/* K^T x = w on dependent coordinates, y = G x by loop equations */
-static void solve_transposed(const maggi_derivative *D, const double *w, double *x, double *y)
+void maggi_solve_transposed(const maggi_derivative *D, const double *w, double *x, double *y)
 {
   const maggi_data *d = D->d;
 
   maggi_loop_multipliers(&D->t, d->prim0, (void *)d->r, (void *)d->dir, (void *)d->b, d->phi,
                          d->chol, w, d->G1, d->y1, x, y, d->space);
-}
-
-/* phi += f y x^T on the blocks */
-static void add_products(const maggi_derivative *D, double f, const double *y, const double *x,
-                         double *phi)
-{
-  const maggi_topo *t = &D->d->t;
-  int k, i, n, row;
-
-  for (k = 0; k < t->nisland; ++k) {
-    n = t->isldep[k + 1] - t->isldep[k];
-    for (row = t->islrow[k]; row < t->islrow[k + 1]; ++row)
-      for (i = 0; i < n; ++i)
-        phi[t->islphi[k] + (row - t->islrow[k]) * n + i] +=
-            f * y[D->rowloop[row]] * x[t->dep[t->isldep[k] + i]];
-  }
-}
-
-void maggi_multipliers_rest_d(maggi_derivative *D, const maggi_companion *s)
-{
-  const maggi_topo *t = &D->d->t;
-  int i;
-
-  memcpy(D->work, s->w, (size_t)t->nq * sizeof(double));
-  subtract_inertia(D->d, D->moved, D->work);
-  solve_transposed(D, D->work, D->mu_d, D->rows);
-  for (i = 0; i < t->islrow[t->nisland]; ++i) s->lambda[D->rowloop[i]] += D->rows[D->rowloop[i]];
-}
-
-/* Lagrange's function  v_bar.v + a_bar.a + omega.w + alpha1.G^T rate + alpha2.G^T gama  is stationary
- *
- *   in mu    G^T Phi omega = 0, or  mu_bar  when mu has an adjoint of its own
- *            => omega = omega_p + R y,  K omega_p = mu_bar on dependents
- *   in a     a_bar - M omega - Phi^T G nu = 0,  nu = alpha2
- *            R^T:  M^ y = R^T (a_bar - M omega_p);  dependents:  K^T nu = a_bar - M omega */
-void maggi_independents_b(maggi_derivative *D, const maggi_companion *s, const double *omega_p)
-{
-  const maggi_topo *t = &D->d->t;
-  size_t bytes = (size_t)t->nq * sizeof(double);
-  int i;
-
-  memcpy(D->work, s->a, bytes);
-  if (omega_p) subtract_inertia(D->d, omega_p, D->work);
-  move_independents(D, D->work, D->omega);
-  for (i = 0; i < t->ndep && omega_p; ++i) D->omega[t->dep[i]] += omega_p[t->dep[i]];
-  memcpy(s->w, D->omega, bytes);
-}
-
-/* The adjoint of lambda = G mu is that of G; that of gama is G nu. */
-void maggi_close_accelerations_b(maggi_derivative *D, const maggi_companion *s)
-{
-  const maggi_topo *t = &D->d->t;
-
-  add_products(D, 1.0, s->lambda, D->d->mu, s->phi);
-  memset(s->lambda, 0, (size_t)t->nrow * sizeof(double));
-  memcpy(D->work, s->a, (size_t)t->nq * sizeof(double));
-  subtract_inertia(D->d, D->omega, D->work);
-  solve_transposed(D, D->work, D->nu, s->gama);
-  add_products(D, 1.0, D->d->gama, D->nu, s->phi);
-}
-
-/*   in v     v_bar + Phi^T G alpha1 = 0 on dependents:  K^T nu = v_bar,  nu = -alpha1 */
-void maggi_close_velocities_b(maggi_derivative *D, const maggi_companion *s)
-{
-  const maggi_topo *t = &D->d->t;
-  int i;
-
-  solve_transposed(D, s->v, D->nu, s->rate);
-  for (i = 0; i < t->nrow; ++i) s->rate[i] = -s->rate[i];
-  add_products(D, -1.0, D->d->rate, D->nu, s->phi);
-}
-
-/* Guided coordinates follow functions of time. */
-static void guide_b(const maggi_data *d, int order, double *x, double *fun)
-{
-  const maggi_topo *t = &d->t;
-  int i, q;
-
-  for (i = t->nind; i < t->ncol; ++i) {
-    q = t->colq[i];
-    fun[t->qguide[q] * 3 + order] += x[q];
-    x[q] = 0.0;
-  }
-}
-
-void maggi_guides_b(maggi_derivative *D, const maggi_companion *s)
-{
-  guide_b(D->d, 0, s->q, s->fun);
-  guide_b(D->d, 1, s->v, s->fun);
-  guide_b(D->d, 2, s->a, s->fun);
-}
-
-/* ------------------------------------------------------------------------- tangents of the adjoint
- *
- * The conditions above, differentiated, are the same equations for the tangents of omega, alpha1 and
- * alpha2.  On the right are the tangents with these held, which the sweep over the stages leaves in the
- * adjoints of mu, a and v:
- *
- *   mu_bar = G_d^T lambda_bar + G^T lambda_bar_d,  lambda_bar = - Phi omega */
-void maggi_independents_b_d(maggi_derivative *D, const maggi_companion *s)
-{
-  maggi_independents_b(D, s, NULL);
-  memset(D->second.w, 0, (size_t)D->d->t.nq * sizeof(double));
-}
-
-void maggi_close_accelerations_b_d(maggi_derivative *D, const maggi_companion *s)
-{
-  const maggi_topo *t = &D->d->t;
-  const maggi_companion *tangent = &D->tangent, *second = &D->second;
-
-  memset(D->omega_p, 0, (size_t)t->nq * sizeof(double));
-  maggi_close_d(D, 1.0, s->lambda, second->lambda, tangent->phi, D->omega_p);
-  add_products(D, 1.0, second->lambda, D->d->mu, second->phi);
-  add_products(D, 1.0, s->lambda, D->mu_d, second->phi);
-  memset(second->lambda, 0, (size_t)t->nrow * sizeof(double));
-  maggi_close_accelerations_b(D, s);
-  island_product(1, D, tangent->phi, D->nu, second->gama);
-  add_products(D, 1.0, tangent->gama, D->nu, second->phi);
-}
-
-void maggi_close_velocities_b_d(maggi_derivative *D, const maggi_companion *s)
-{
-  const maggi_topo *t = &D->d->t;
-  const maggi_companion *tangent = &D->tangent, *second = &D->second;
-  int i;
-
-  maggi_close_velocities_b(D, s);
-  island_product(1, D, tangent->phi, D->nu, second->rate);
-  for (i = 0; i < t->nrow; ++i) second->rate[i] = -second->rate[i];
-  add_products(D, -1.0, tangent->rate, D->nu, second->phi);
-}
-
-void maggi_guides_b_d(maggi_derivative *D, const maggi_companion *s)
-{
-  maggi_guides_b(D, s);
-  maggi_guides_b(D, &D->second);
 }

@@ -5,6 +5,19 @@
 
 #include "derivative.h"
 
+/* y_d = P y_d - G A^-1 G_d^T y where that is worth it, by loop equations: what keeps G^T y = 0.  phi_d and
+ * y may be NULL: y_d = P y_d. */
+void maggi_project_rows(maggi_derivative *D, double *y_d, const double *phi_d, const double *y);
+/* x = R (R^T M R)^-1 R^T w on independent and dependent coordinates, 0 on guided ones */
+void maggi_move_independents(maggi_derivative *D, const double *w, double *x);
+/* y -= M x */
+void maggi_subtract_inertia(const maggi_data *d, const double *x, double *y);
+/* K^T x = w on dependent coordinates, y = G x by loop equations */
+void maggi_solve_transposed(const maggi_derivative *D, const double *w, double *x, double *y);
+
+/* rate and gama of the evaluation */
+void maggi_remainders(maggi_derivative *D);
+
 /* Equations (1) and (2), sign G^T y = 0 with y = rate and sign = -1, or y = gama and sign = 1: tangent x
  * of the dependent velocities or accelerations, from the tangent of y with these at rest. */
 void maggi_close_d(maggi_derivative *D, double sign, const double *y, const double *y_d,
@@ -12,7 +25,7 @@ void maggi_close_d(maggi_derivative *D, double sign, const double *y, const doub
 void maggi_close_dv(maggi_derivative *D, double sign, const double *y, const double *y_d,
                     const double *phi_d, double *x);
 
-/* tangent of lambda = G mu with mu held: s->lambda */
+/* tangent of lambda = G mu as far as it matters for (3): s->lambda */
 void maggi_multipliers_d(maggi_derivative *D, const maggi_companion *s);
 void maggi_multipliers_dv(maggi_derivative *D, const maggi_companion *s);
 
@@ -20,8 +33,9 @@ void maggi_multipliers_dv(maggi_derivative *D, const maggi_companion *s);
 void maggi_independents_d(maggi_derivative *D, const maggi_companion *s);
 void maggi_independents_dv(maggi_derivative *D, const maggi_companion *s);
 
-/* tangent of mu from that of w with mu held, and what it adds to s->lambda */
+/* the tangents that only second derivatives need: of mu, with the rest of s->lambda; of rate and gama */
 void maggi_multipliers_rest_d(maggi_derivative *D, const maggi_companion *s);
+void maggi_remainders_d(maggi_derivative *D, const maggi_companion *s);
 
 /* Adjoint of (3): s->w from s->a.  omega_p: what the adjoint of w must be on dependent coordinates
  * for an adjoint of mu; NULL if none. */

@@ -41,7 +41,7 @@ static inline void reverse_rates(maggi_derivative *D, const maggi_companion *s)
 static inline void reverse_positions(maggi_derivative *D, const maggi_companion *s)
 {
   body_inertias(D, s);
-  if (D->d->t.ndep > 0) loop_entries(D, s);
+  if (D->redundant) loop_entries(D, s);
   directions(D, s);
   points(D, s);
   positions(D, s);

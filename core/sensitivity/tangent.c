@@ -30,6 +30,7 @@ void maggi_tangent_forces(maggi_derivative *D)
   if (t->ndep > 0) {
     loop_rates(D, s);
     loop_gamma(D, s);
+    maggi_remainders_d(D, s);
   }
   inertia_forces(D, s);
   rod_forces(D, s);

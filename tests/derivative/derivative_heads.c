@@ -26,7 +26,7 @@ enum { HEADS = 64 };
 
 #define KIND_LIST(X)                                                                               \
   X(TANGENT, "tangent", 1e-12)                                                                     \
-  X(VECTOR, "vector", 1e-13)                                                                       \
+  X(VECTOR, "vector", 1e-12)                                                                       \
   X(ADJOINT, "adjoint", 1e-13)                                                                     \
   X(GARBAGE, "garbage", 1e-12)                                                                     \
   X(DIFFERENCE, "difference", 1e-4)                                                                \

@@ -90,20 +90,42 @@ static void random_parameters(inputs *in, double *p)
   }
 }
 
-/* before, between or after the times of the functions */
-static void random_time(inputs *in, double *time)
+/* away from where an angle of a sensor jumps by a turn */
+static void random_rotations(inputs *in, int n, double *A)
 {
   const maggi_topo *t = in->t;
-  const double *p = inputs_get(in, "p", t->np);
-  int i, k, near;
+  double *a;
+  int i;
 
-  do {
-    near = 0;
-    *time = mech_uniform(&in->random, -0.5, 2.5);
-    for (i = 0; i < t->nfun; ++i)
-      for (k = 0; k < times_of(t, i); ++k)
-        near = near || fabs(*time - p[t->funadr[i] + k]) < 0.5 * INPUTS_MARGIN;
-  } while (near);
+  fill(in, n, -1.0, 1.0, A);
+  for (i = 0; i < t->nsensor; ++i) {
+    if (t->sensorkind[i] != MAGGI_SENSOR_ANGLES) continue;
+    a = A + 9 * t->sensorbody[i];
+    while (a[8] < 0.0 && fabs(a[7]) < INPUTS_MARGIN) fill(in, 1, -1.0, 1.0, a + 7);
+    while (a[0] < 0.0 && fabs(a[3]) < INPUTS_MARGIN) fill(in, 1, -1.0, 1.0, a + 3);
+  }
+}
+
+static int is_at_bend(const maggi_topo *t, const double *p, double time)
+{
+  int i, k;
+
+  for (i = 0; i < t->nfun; ++i)
+    for (k = 0; k < times_of(t, i); ++k)
+      if (fabs(time - p[t->funadr[i] + k]) < 0.5 * INPUTS_MARGIN) return 1;
+  return 0;
+}
+
+/* before, between or after the times of the functions */
+static double random_time(inputs *in)
+{
+  const double *p = inputs_get(in, "p", in->t->np);
+  double time;
+  int attempt = 0;
+
+  do time = mech_uniform(&in->random, -0.5, 2.5);
+  while (is_at_bend(in->t, p, time) && ++attempt < 1000);
+  return time;
 }
 
 static int is_near(double x, double kink)
@@ -142,7 +164,9 @@ static void random_argument(inputs *in, const char *name, int n, double *x)
   if (strcmp(name, "p") == 0)
     random_parameters(in, x);
   else if (strcmp(name, "time") == 0)
-    random_time(in, x);
+    x[0] = random_time(in);
+  else if (strcmp(name, "A") == 0)
+    random_rotations(in, n, x);
   else if (strcmp(name, "prim0") == 0 || strcmp(name, "spring0") == 0)
     fill(in, n, 0.5, 1.5, x);
   else

@@ -10,7 +10,7 @@
 #include "data.h"
 #include "property/mechanism.h"
 
-/* how far a kink is, in units of the argument that decides */
+/* how far kinks are at least, in the units of what decides */
 #define INPUTS_MARGIN 0.02
 
 enum { INPUTS_MAX = 48 };

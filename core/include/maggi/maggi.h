@@ -602,9 +602,8 @@ int maggi_coordinate_is_independent(const maggi_data *d, int coordinate);
  * at the position q, whether it closes them or not, so that f is a function of each entry of q by
  * itself.  Which coordinates are independent is held.  Positions and velocities of guided coordinates
  * are functions of time and p: as directions they are ignored, as gradients they are 0; so are
- * velocities of dependent coordinates.  Parameters that are initial positions and velocities do not
- * enter f.  The joint point of the first body on the ground is the origin of the computation, on which f
- * does not depend; as any other joint point it does.
+ * velocities of dependent coordinates.  f does not depend on parameters that are initial positions and
+ * velocities.
  *
  * Derivation: core/sensitivity/derivative.h; [1] chapter 5.
  */
@@ -648,7 +647,7 @@ maggi_status maggi_linearise(maggi_derivative *D);
 void maggi_motion_jvp(maggi_derivative *D, const double *q, const double *v, const double *p,
                       double *v_out, double *a_out);
 
-/* Derivatives of f along n directions, for about the price of n / 8 of one.
+/* Derivatives of f along n directions, several at a time for little more than the price of one.
  *
  * in    n        number of directions, of any size
  *       q, v     directions, row by row with the direction last    (coordinates x n)  NULL: zero

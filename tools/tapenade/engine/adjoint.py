@@ -10,9 +10,9 @@ from . import ir
 from .ir import (Assign, Bin, Call, For, If, Num, Ref, Refusal, Stack, Un, Var, div, int_expr,
                  is_zero, mul, neg)
 from .inline import fold
-from .normal import mentions, value_names
+from .normal import mentions, value_names, varying
 from .rules import PARTIAL
-from .tangent import Companions, drop_unused, stored_locals
+from .tangent import Companions, drop_unused, known_values, replace, stored_locals
 
 
 class Piece:
@@ -43,9 +43,11 @@ class Adjoint:
         for n in self.active:
             if n in flat.locals:
                 flat.locals[self.companions.names[n]] = flat.locals[n]
-        self.stored = stored_locals(flat)
-        body = self.sweep(flat.body, None)
-        return drop_unused(body, set(flat.locals))
+        self.filled_once = self.arrays_filled_once()
+        self.stored, self.summed = stored_locals(flat), ir.summed_arrays(flat)
+        body = drop_unused(self.sweep(flat.body, None), set(flat.locals))
+        self.check_passes(flat.body, [], ir.all_reads(body))
+        return body
 
     def source(self, s):
         """how a local gets its value again: from the workspace when it has been stored there"""
@@ -117,7 +119,10 @@ class Adjoint:
     def pieces(self, stmts, before):
         """pieces in program order; before: names that backward code of earlier statements reads"""
         out, seen = [], set(before)
+        known = known_values(stmts, self.stored, self.summed)
         for s in stmts:
+            self.known = known
+            self.check_local_arrays(s, seen)
             if isinstance(s, Assign):
                 code = self.assign(s)
                 pops = [s.target.name] if self.must_keep(s.target.name, seen) else []
@@ -141,12 +146,52 @@ class Adjoint:
         return x in seen and x in self.flat.locals and not self.flat.locals[x][1] and \
             x not in self.counters
 
+    def arrays_filled_once(self):
+        """local arrays whose elements are set in one loop, or none, and never again"""
+        where, texts = {}, {}
+
+        def scan(stmts, loop):
+            for s in stmts:
+                if isinstance(s, Assign) and isinstance(s.target, Ref) and \
+                        s.target.name in self.flat.locals:
+                    x = s.target.name
+                    where.setdefault(x, set()).add(id(loop) if s.op == "=" else s.op)
+                    texts.setdefault(x, []).append((s.target, id(stmts)))
+                for part in ir.lists(s):
+                    scan(part, s if isinstance(s, For) else loop)
+
+        scan(self.flat.body, None)
+        return {x for x in where if len(where[x]) == 1 and len(texts[x]) == len(set(texts[x]))}
+
+    def check_local_arrays(self, s, seen):
+        """local arrays are not pushed: what backward statements of before read must stay"""
+        for y in ir.every([s]):
+            x = ir.writes(y)
+            once = isinstance(y, Assign) and y.op == "=" and x in self.filled_once
+            if x in seen and x in self.flat.locals and self.flat.locals[x][1] and not once:
+                raise Refusal(*y.place, f"`{x}` changes after its values were used: give the new ones "
+                                        f"an array of their own")
+
+    def check_passes(self, stmts, loops, read):
+        """the same from pass to pass of a loop, unless the array belongs to the pass"""
+        for s in stmts:
+            if isinstance(s, Assign) and isinstance(s.target, Ref) and s.op == "=" and \
+                    s.target.name in read and s.target.name in self.flat.locals:
+                around = self.around.get(self.homes.get(s.target.name), ())
+                for loop in loops:
+                    if id(loop.body) not in around and \
+                            not ir.names(Ref("", s.target.index)) & varying(loop):
+                        raise Refusal(*s.place, f"`{s.target.name}` is written in each pass of the "
+                                                f"loop over `{loop.var}`")
+            for part in ir.lists(s):
+                self.check_passes(part, loops + [s] if isinstance(s, For) else loops, read)
+
     def check_order(self, s, pieces):
         """an element that later statements of the list add to must not have been needed before"""
         if isinstance(s, Assign) and isinstance(s.target, Ref) and \
                 self.flat.is_array(s.target.name):
             for p in pieces[:-1]:
-                if isinstance(p.statement, Assign):
+                if isinstance(p.statement, Assign) and s.target in ir.walk(p.statement.value):
                     for c in p.code:
                         for e in ir.own_expressions(c):
                             if s.target in ir.walk(e):
@@ -363,7 +408,7 @@ class Adjoint:
                 seed = self.hold(seed, "tb")
             for x, c in zip(e.args, PARTIAL[e.name](e.args, s.target)):
                 if self.is_active(x):
-                    self.spread(x, mul(seed, c), s)
+                    self.spread(x, mul(seed, replace(c, self.known)), s)
         elif e.op in "+-":
             if self.is_active(e.a) and self.is_active(e.b):
                 seed = self.hold(seed, "tb")

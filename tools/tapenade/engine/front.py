@@ -230,7 +230,7 @@ class _File:
         if f.kind not in ("void", "double", "int"):
             self.refuse(f.node.decl, f"`{f.name}` returns neither double nor int nor void")
         f.locals = {}
-        self.f = f
+        self.f, self.scopes = f, []
         f.body = self.block(f.node.body.block_items or [])
 
     def local(self, node):
@@ -258,8 +258,9 @@ class _File:
         old = self.f.locals.get(node.name)
         if old and old != (base, tuple(dims)):
             self.refuse(node, f"`{node.name}` is declared twice with different types")
-        if self.parameter_of(node.name):
-            self.refuse(node, f"`{node.name}` hides a parameter")
+        if self.parameter_of(node.name) or any(node.name in x for x in self.scopes):
+            self.refuse(node, f"`{node.name}` hides another of that name")
+        self.scopes[-1].add(node.name)
         self.f.locals[node.name] = (base, tuple(dims))
         if node.init is not None:
             if dims:
@@ -271,9 +272,9 @@ class _File:
         return self.f.parameter(name) if self.f else None
 
     def block(self, items):
-        out = []
-        for node in items:
-            out += self.statement(node)
+        self.scopes.append(set())
+        out = [s for node in items for s in self.statement(node)]
+        self.scopes.pop()
         return out
 
     def body(self, node):
@@ -342,6 +343,12 @@ class _File:
         self.refuse(node, f"the operator {node.op}")
 
     def loop(self, node, where, comment):
+        self.scopes.append(set())
+        out = self.counted(node, where, comment)
+        self.scopes.pop()
+        return [out]
+
+    def counted(self, node, where, comment):
         start = node.init
         if isinstance(start, c_ast.DeclList):
             if len(start.decls) != 1 or start.decls[0].init is None:
@@ -371,7 +378,7 @@ class _File:
         for name in ir.names(bound):
             if name in changed and "->" not in name:
                 self.refuse(node, f"the loop bound `{name}` is changed in the loop")
-        return [For(where, comment, var, first, test.op, bound, step, body)]
+        return For(where, comment, var, first, test.op, bound, step, body)
 
     def step(self, node, var):
         if isinstance(node, c_ast.UnaryOp) and isinstance(node.expr, c_ast.ID) and \

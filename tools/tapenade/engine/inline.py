@@ -88,7 +88,7 @@ class Flat:
         self.body = []
         self.passive_functions = {}  # name of the copy -> text
         self.tables = {}  # constants of the file -> text
-        self.taken = {p.name for p in function.params}
+        self.taken = {p.name for p in function.params} | {"nd", "nbdirs"}
 
     def copy(self):
         c = copy.copy(self)

@@ -343,6 +343,12 @@ def all_writes(stmts):
     return {writes(s) for s in every(stmts)} - {None}
 
 
+def summed_arrays(flat):
+    """arrays whose elements change after they are first written"""
+    return {s.target.name for s in every(flat.body) if isinstance(s, Assign)
+            and isinstance(s.target, Ref) and (s.op != "=" or flat.is_local(s.target.name))}
+
+
 def copy_statements(stmts, f=lambda e: e, var=lambda v: v):
     """deep copy with f applied to every whole expression and var to names of loop variables"""
     out = []

@@ -80,6 +80,18 @@ def rename(stmts, old, new):
 def check(flat, program):
     """single assignment of array elements, and integers that do not depend on active values"""
     _check_list(flat, flat.body, [], {})
+    assigned = {s.target.name for s in ir.every(flat.body) if isinstance(s, Assign)}
+    counters = {s.var for s in ir.every(flat.body) if isinstance(s, For)} - assigned
+    _check_counters(flat.body, counters)
+
+
+def _check_counters(stmts, outside):
+    for s in stmts:
+        for x in sorted(ir.reads(s) & outside):
+            raise Refusal(*s.place, f"the loop variable `{x}` is read outside of its loop")
+        inner = outside - {s.var} if isinstance(s, For) else outside
+        for part in ir.lists(s):
+            _check_counters(part, inner)
 
 
 def _text(ref):
@@ -95,7 +107,7 @@ def _check_list(flat, stmts, loops, seen):
                     raise Refusal(*s.place, f"an element of `{s.target.name}` is written again, "
                                             f"first in line {seen[key]}")
                 for loop in loops:
-                    if not ir.names(Ref("", s.target.index)) & _varying(loop):
+                    if not ir.names(Ref("", s.target.index)) & varying(loop):
                         raise Refusal(*s.place, f"an element of `{s.target.name}` is written in "
                                                 f"each pass of the loop over `{loop.var}`")
             seen[key] = s.place[1]
@@ -112,11 +124,11 @@ def _check_list(flat, stmts, loops, seen):
             inner = {k: v for k, v in seen.items() if f"Var(name={s.var!r})" not in k}
             _check_list(flat, s.body, loops + [s], inner)
             for key, line in inner.items():
-                if not any(f"Var(name={n!r})" in key for n in _varying(s)):
+                if not any(f"Var(name={n!r})" in key for n in varying(s)):
                     seen[key] = line
 
 
-def _varying(loop):
+def varying(loop):
     """integers that change from pass to pass"""
     found = {loop.var}
     while True:
@@ -221,9 +233,7 @@ def _split_list(flat, stmts, x):
 class Normaliser:
     def __init__(self, flat, active):
         self.flat, self.active = flat, active
-        self.summed = {s.target.name for s in ir.every(flat.body) if isinstance(s, Assign)
-                       and isinstance(s.target, Ref)
-                       and (s.op != "=" or flat.is_local(s.target.name))}
+        self.summed = ir.summed_arrays(flat)
 
     def run(self):
         self.flat.body = self.block(self.flat.body)
@@ -249,7 +259,7 @@ class Normaliser:
 
     def test(self, s, out):
         """a condition whose variables may change later is kept in an integer"""
-        for n in ir.names(s.test):
+        for n in sorted(ir.names(s.test)):
             if self.flat.is_local(n) and self.flat.locals[n][1] == () and self.writes_of(n) > 1:
                 flag = self.flat.new("is_" + n, "int")
                 out.append(Assign(s.place, (), Var(flag), "=", s.test))

@@ -6,7 +6,7 @@ when it is passive.
 """
 from __future__ import annotations
 
-from .ir import Bin, Call, Cond, Num, ONE, Un, add, div, integer, mul, neg, number, sub
+from .ir import Bin, Call, Cond, Num, ONE, Un, ZERO, add, div, mul, neg, number, sub
 
 
 def _square(x):
@@ -24,8 +24,9 @@ def _power(args, y):
         lower = Num(repr(k - 1.0))
         first = mul(n, x) if k == 2.0 else mul(n, Call("pow", (x, lower)))
     else:
-        lower = Bin("-", n, Num("1") if integer(n) is not None else Num("1.0"))
-        first = mul(n, Call("pow", (x, lower)))
+        lower = Bin("-", n, ONE)
+        zero = Bin("==", n, Num("0"))  # where pow(0, -1) would not be finite
+        first = Cond(zero, ZERO, mul(n, Call("pow", (x, lower))))
     return [first, mul(y, Call("log", (x,)))]
 
 

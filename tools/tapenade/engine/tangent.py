@@ -41,8 +41,9 @@ class Tangent:
     def __init__(self, flat, active, tape):
         self.flat, self.active, self.tape = flat, active, tape
         self.companions = Companions(flat, active, "d")
-        self.derivatives = set(self.companions.names.values())
         self.inverse = {}  # denominators
+        self.stored = stored_locals(flat) if tape else {}
+        self.known = {}
 
     def run(self):
         body = self.block(self.flat.body)
@@ -54,7 +55,9 @@ class Tangent:
 
     def block(self, stmts):
         out = []
-        saved = dict(self.inverse)
+        saved = dict(self.inverse), self.known
+        if self.tape:
+            self.known = known_values(stmts, self.stored, ir.summed_arrays(self.flat))
         for s in stmts:
             if isinstance(s, If):
                 out.append(If(s.place, s.comment, s.test, self.block(s.then), self.block(s.other)))
@@ -67,7 +70,7 @@ class Tangent:
                 out += self.stack(s)
             else:
                 out += self.assign(s)
-        self.inverse = saved
+        self.inverse, self.known = saved
         return out
 
     def stack(self, s):
@@ -101,7 +104,8 @@ class Tangent:
             total = ir.ZERO
             for x, c in zip(e.args, PARTIAL[e.name](e.args, s.target)):
                 if self.is_active(x):
-                    total = add(total, mul(self.hold(c, s, before), self.d(x)))
+                    c = self.hold(replace(c, self.known), s, before)
+                    total = add(total, mul(c, self.d(x)))
             return total
         if isinstance(e, Bin) and e.op == "/" and self.is_active(e.b):
             r = self.reciprocal(e.b, s, before)
@@ -167,14 +171,13 @@ class Tangent:
         local = set(self.flat.locals) | {self.companions.names[n] for n in self.active
                                          if n in self.flat.locals}
         if self.tape:
-            body = rematerialise(body, stored_locals(self.flat))
+            body = rematerialise(body, self.stored)
         return drop_unused(body, local)
 
 
 def stored_locals(flat):
     """locals that are copied to the workspace: name -> element"""
-    summed = {s.target.name for s in ir.every(flat.body) if isinstance(s, Assign)
-              and isinstance(s.target, Ref) and s.op != "="}
+    summed = ir.summed_arrays(flat)
     assigned = {}
     for s in ir.every(flat.body):
         if isinstance(s, Assign) and isinstance(s.target, Var):
@@ -196,6 +199,21 @@ def stored_locals(flat):
 
     scan(flat.body)
     return stored
+
+
+def known_values(stmts, stored, summed):
+    """elementary functions whose values the workspace holds, of one list: call -> element"""
+    known = {}
+    for s in stmts:
+        if isinstance(s, Assign) and s.op == "=" and isinstance(s.value, Call):
+            element = stored.get(s.target.name) if isinstance(s.target, Var) else s.target
+            if element is not None and element.name not in summed:
+                known[s.value] = element
+    return known
+
+
+def replace(e, known):
+    return known[e] if e in known else ir.rebuild(e, lambda x: replace(x, known)) if known else e
 
 
 def rematerialise(body, stored):
