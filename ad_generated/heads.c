@@ -2,6 +2,8 @@
  * Written by tools/tapenade/generate: edit the kernel, then `make regenerate`. */
 #include "heads.h"
 
+#include <stddef.h>
+
 #include "maggi_ad.h"
 
 static int size_np(const maggi_topo *t)

@@ -50,8 +50,8 @@ void maggi_island_factors(const maggi_topo *t, const double phi[t->nphi], double
 }
 
 /* columns begin..end in steps of `width`, which is MAGGI_WIDTH, or 1 for a single column */
-static void row_update(int width, int dst, int src, int begin, int end, int stride, int q,
-                       const double b[6], int nR, const double R[nR], int nV, double V[nV])
+ALWAYS_INLINE void row_update(int width, int dst, int src, int begin, int end, int stride, int q,
+                              const double b[6], int nR, const double R[nR], int nV, double V[nV])
 {
   int k, c, i, at, from;
 
@@ -67,9 +67,9 @@ static void row_update(int width, int dst, int src, int begin, int end, int stri
 
 /* components l, m, n of the rate of r_a - r_b (or of a - b when linear is 0):
  *   Y = (s_l + w_m r_n - w_n r_m) of b less that of a */
-static void vector_rate(int width, int linear, int row, int l, int m, int n, int a, int b, int k,
-                        const double ra[3], const double rb[3], int nV, const double V[nV], int nY,
-                        double Y[nY])
+ALWAYS_INLINE void vector_rate(int width, int linear, int row, int l, int m, int n, int a, int b,
+                               int k, const double ra[3], const double rb[3], int nV,
+                               const double V[nV], int nY, double Y[nY])
 {
   int i, am, an, bm, bn;
 
@@ -116,9 +116,10 @@ static void row_wrench(int kind, double length, const double ra[3], const double
 }
 
 /* Y = - rate of one building block for the columns of rows va and vb */
-static void prim_rate(int width, int kind, int row, int va, int vb, int begin, int end, int stride,
-                      double length, const double ra[3], const double rb[3], const double da[3],
-                      const double db[3], int nV, const double V[nV], int nY, double Y[nY])
+ALWAYS_INLINE void prim_rate(int width, int kind, int row, int va, int vb, int begin, int end,
+                             int stride, double length, const double ra[3], const double rb[3],
+                             const double da[3], const double db[3], int nV, const double V[nV],
+                             int nY, double Y[nY])
 {
   int c, i, a, b, k, y;
   double f[3], ma[3], mb[3];
@@ -177,16 +178,15 @@ void maggi_island_columns(const maggi_topo *t, const double prim0[t->nprim],
   }
 }
 
-/* Y = - rate of the loops of island k by coordinates of earlier islands, x with room for n columns, one
- * or a multiple of MAGGI_WIDTH; V holds velocities by these */
-void maggi_island_rates(const maggi_topo *t, int k, int n, const double prim0[t->nprim],
-                        const double r[t->npoint][3], const double dir[t->ndir][3],
-                        const double b[t->nbody][6], const double x[t->nq * n],
-                        double V[t->nvrow * 6 * n], double Y[t->nrow * n])
+/* width is a constant of the caller */
+ALWAYS_INLINE void island_rates(int width, const maggi_topo *t, int k, int n,
+                                const double prim0[t->nprim], const double r[t->npoint][3],
+                                const double dir[t->ndir][3], const double b[t->nbody][6],
+                                const double x[t->nq * n], double V[t->nvrow * 6 * n],
+                                double Y[t->nrow * n])
 {
-  int i, j, width;
+  int i, j;
 
-  width = n == 1 ? 1 : MAGGI_WIDTH;
   for (i = t->islvop[k]; i < t->islvop[k + 1]; ++i)
     row_update(width, t->vopdst[i], t->vopsrc[i], 0, n, n, t->vopq[i], b[t->qbody[t->vopq[i]]],
                t->nq * n, x, t->nvrow * 6 * n, V);
@@ -196,6 +196,19 @@ void maggi_island_rates(const maggi_topo *t, int k, int n, const double prim0[t-
               r[t->primpa[j]], r[t->primpb[j]], dir[t->primda[j]], dir[t->primdb[j]],
               t->nvrow * 6 * n, V, t->nrow * n, Y);
   }
+}
+
+/* Y = - rate of the loops of island k by coordinates of earlier islands, x with room for n columns, one
+ * or a multiple of MAGGI_WIDTH; V holds velocities by these */
+void maggi_island_rates(const maggi_topo *t, int k, int n, const double prim0[t->nprim],
+                        const double r[t->npoint][3], const double dir[t->ndir][3],
+                        const double b[t->nbody][6], const double x[t->nq * n],
+                        double V[t->nvrow * 6 * n], double Y[t->nrow * n])
+{
+  if (n == 1)
+    island_rates(1, t, k, 1, prim0, r, dir, b, x, V, Y);
+  else
+    island_rates(MAGGI_WIDTH, t, k, n, prim0, r, dir, b, x, V, Y);
 }
 
 /* rows of rhs in the order of the loops; x is written for the dependent coordinates, zero elsewhere */

@@ -1,8 +1,8 @@
 """Random programs in the subset of C that the engine reads.
 
 A program is one head with its helpers: a sequence of phases, each of which computes something from
-what is there (locals, tree recursions, sums over edges, chains), in the manner of core/kernel.  Values
-stay of moderate size: every value carries a bound, and what may grow is squashed.
+what is there (locals, tree recursions, sums over edges, chains), in the manner of core/kernel.
+Values stay of moderate size: every value carries a bound, and what may grow is squashed.
 """
 
 import random
@@ -33,6 +33,8 @@ typedef struct topo {
   int *from;   /* rows */
   int *to;
 } topo;
+
+enum { KIND_ZERO, KIND_ONE, KIND_TWO, KIND_THREE = KIND_TWO + 1 };
 
 #endif
 """
@@ -78,17 +80,22 @@ class Function:
         self.coordinates = {}  # readable arrays of n: name -> bound
         self.tables = {}  # readable arrays of n + 1 rows: name -> bound
         self.has_topo = False
+        # local arrays: either a name is used again, or indices may vary (the engine takes no both)
+        self.again = rng.random() < 0.5
         self.ties = []  # texts of inputs, one of which every written element gets
 
     # ------------------------------------------------------------------------------------- text
 
     def line(self, text):
-        self.lines.append("  "*self.depth + text)
+        self.lines.append("  " * self.depth + text)
 
     def text(self, signature):
         out = [signature, "{"]
-        declared = [("int", sorted(self.integers)), ("double", sorted(self.doubles)),
-                    ("double", [f"{a}[{n}]" for a, n in sorted(self.arrays.items())])]
+        declared = [
+            ("int", sorted(self.integers)),
+            ("double", sorted(self.doubles)),
+            ("double", [f"{a}[{n}]" for a, n in sorted(self.arrays.items())]),
+        ]
         out += [f"  {kind} {', '.join(names)};" for kind, names in declared if names]
         return "\n".join([*out, "", *self.lines, "}", ""])
 
@@ -124,7 +131,7 @@ class Function:
             name = self.pick(k)
             return self.pick([name, name, name, f"({name} + 1) % 3", f"2 - {name}"])
         small = self.of("small")
-        if small and self.chance(0.3):
+        if small and not self.again and self.chance(0.3):
             return self.pick(small)
         return str(self.rng.randrange(3))
 
@@ -179,26 +186,29 @@ class Function:
         """v, and in heads a part that depends on an input for sure"""
         if not self.ties:
             return v.text
-        text = {"p": f"p[{self.rng.randrange(NP)}]", "q": f"q[{self.body()}]", "s": "s",
-                "X": f"X[{self.row()}][{self.component()}]"}[self.pick(self.ties)]
+        text = {
+            "p": f"p[{self.rng.randrange(NP)}]",
+            "q": f"q[{self.body()}]",
+            "s": "s",
+            "X": f"X[{self.row()}][{self.component()}]",
+        }[self.pick(self.ties)]
         return f"{v.at(SUM)} + {self.pick(['0.5 * ', '0.125 * ', ''])}{text}"
 
     def leaf(self):
         found = []
-        found += [Value(name, bound) for name, bound in self.scalars.items()]*2
+        found += [Value(name, bound) for name, bound in self.scalars.items()] * 2
         for name, bound in self.vectors.items():
             found.append(Value(f"{name}[{self.component()}]", bound))
         for name, bound in self.tables.items():
-            found += [Value(f"{name}[{self.row()}][{self.component()}]", bound)]*2
+            found += [Value(f"{name}[{self.row()}][{self.component()}]", bound)] * 2
         for name, bound in self.coordinates.items():
-            found += [Value(f"{name}[{self.body()}]", bound)]*2
+            found += [Value(f"{name}[{self.body()}]", bound)] * 2
         if self.parameters:
             name, bound = self.parameters
             index = [str(self.rng.randrange(NP))]
-            index += [f"t->adr[{i}] + {self.component()}" for i in self.of("body")
-                      if self.has_topo]
+            index += [f"t->adr[{i}] + {self.component()}" for i in self.of("body") if self.has_topo]
             index += [f"{a} + {self.component()}" for a in self.of("address")]
-            found += [Value(f"{name}[{self.pick(index)}]", bound)]*2
+            found += [Value(f"{name}[{self.pick(index)}]", bound)] * 2
         if not found or self.chance(0.08):
             return self.number()
         return self.pick(found)
@@ -224,8 +234,9 @@ class Function:
                 arguments.append(vector[0])
             elif parameter == "three":
                 k = self.of("three")
-                arguments.append(self.pick(k) if k and self.chance(0.6)
-                                 else str(self.rng.randrange(3)))
+                arguments.append(
+                    self.pick(k) if k and self.chance(0.6) else str(self.rng.randrange(3))
+                )
             elif parameter == "parameters":
                 if not self.parameters or not self.has_topo:
                     return None
@@ -247,7 +258,7 @@ class Function:
             return Value(f"{a.at(SUM)} - {b.at(PRODUCT)}", a.bound + b.bound, SUM)
         if kind < 8:
             a, b = self.small(depth - 1), self.small(depth - 1)
-            return Value(f"{a.at(PRODUCT)} * {b.at(SIGN)}", a.bound*b.bound, PRODUCT)
+            return Value(f"{a.at(PRODUCT)} * {b.at(SIGN)}", a.bound * b.bound, PRODUCT)
         if kind == 8:
             a, b = self.small(depth - 1), self.positive(depth - 1)
             return Value(f"{a.at(PRODUCT)} / {b.at(SIGN)}", a.bound, PRODUCT)
@@ -258,15 +269,20 @@ class Function:
         if kind == 10:
             a, k = self.small(depth - 1), self.integer()
             form = self.pick(["{a} * {k}", "{k} * {a}", "{a} / ({k} + 9)", "{k} * ({k} - 1) * {a}"])
-            return Value(form.format(a=a.at(SIGN), k=k.at(ATOM if form[0] == "{" else SUM)),
-                         56.0*a.bound, PRODUCT)
+            return Value(
+                form.format(a=a.at(SIGN), k=k.at(ATOM if form[0] == "{" else SUM)),
+                56.0 * a.bound,
+                PRODUCT,
+            )
         if kind == 11:
             value = self.call_value()
             return value or self.leaf()
         if kind == 12:
             a, b = self.expression(depth - 1), self.expression(depth - 1)
             condition = self.condition()
-            return Value(f"{condition} ? {a.at(SUM)} : {b.at(CHOICE)}", max(a.bound, b.bound), CHOICE)
+            return Value(
+                f"{condition} ? {a.at(SUM)} : {b.at(CHOICE)}", max(a.bound, b.bound), CHOICE
+            )
         return self.elementary(depth - 1)
 
     def elementary(self, depth):
@@ -309,7 +325,7 @@ class Function:
             base = self.positive(depth) if "." in n and n != "2.0" or "-" in n else a
             if base is a and a.bound > 2.0:
                 base = Value(f"sin({a.text})", 1.0)
-            return Value(f"pow({base.text}, {n})", max(1.0, base.bound)**max(float(n), 0.0))
+            return Value(f"pow({base.text}, {n})", max(1.0, base.bound) ** max(float(n), 0.0))
         if kind == 15:
             k = self.of("three")
             if k:  # an integer exponent
@@ -349,13 +365,22 @@ class Function:
     def passive_condition(self):
         found = []
         for name in self.of("three"):
-            found += [f"{name} == 1", f"{name} < 2", f"{name} % 2 == 0", f"!({name} == 2)",
-                      f"{name} != 0 && {name} < 2"]
+            found += [
+                f"{name} == 1",
+                f"{name} < 2",
+                f"{name} % 2 == 0",
+                f"!({name} == 2)",
+                f"{name} != 0 && {name} < 2",
+            ]
         for name in self.of("body"):
             found += [f"{name} > 0", f"{name} % 2 == 1"]
             if self.has_topo:
-                found += [f"t->kind[{name}] == 1", f"t->kind[{name}] >= 2", f"t->kind[{name}]",
-                          f"t->parent[{name}] == t->n || t->kind[{name}] == 0"]
+                found += [
+                    f"t->kind[{name}] == 1",
+                    f"t->kind[{name}] >= 2",
+                    f"t->kind[{name}]",
+                    f"t->parent[{name}] == t->n || t->kind[{name}] == 0",
+                ]
         for name in self.of("edge"):
             found += [f"t->from[{name}] < t->to[{name}]"]
         for name in self.of("small"):
@@ -383,9 +408,9 @@ class Function:
             self.statement(depth)
 
     def statement(self, depth):
-        kinds = ["assign"]*5 + ["update"]*4 + ["fill"]*3
+        kinds = ["assign"] * 5 + ["update"] * 4 + ["fill"] * 3
         if depth > 0:
-            kinds += ["branch"]*3 + ["switch"] + ["loop"]*3
+            kinds += ["branch"] * 3 + ["switch"] + ["loop"] * 3
         if self.helpers:
             kinds += ["choose"]
         getattr(self, self.pick(kinds))(depth)
@@ -406,8 +431,12 @@ class Function:
         op = self.pick(["+=", "+=", "-=", "*=", "=", "=", "/=", "own"])
         if op == "own":  # a sum that reads what it adds to
             op = self.pick(["+=", "-="])
-            v = Value(self.pick(["0.5 * sin({x})", "0.25 * tanh({x}) * {o}", "{o} * cos({x})"]).format(
-                x=name, o=self.small(1, 1.0).at(SIGN)), 1.0)
+            v = Value(
+                self.pick(["0.5 * sin({x})", "0.25 * tanh({x}) * {o}", "{o} * cos({x})"]).format(
+                    x=name, o=self.small(1, 1.0).at(SIGN)
+                ),
+                1.0,
+            )
             self.scalars[name] += 18.0 if self.loops else 1.0
         elif op in ("+=", "-="):
             v = self.value(bound=1.0 if self.loops else 3.0)
@@ -422,11 +451,21 @@ class Function:
                 self.scalars[name] *= 4.0
         else:  # contracts, that loops do not make chaos
             other = self.small(1, 2.0)
-            v = Value(self.pick([
-                "0.5 * {x} + 0.25 * {o}", "sin({x}) * 0.5 + {o} * 0.5", "0.5 * ({x} - {o})",
-                "0.7 * cos({x}) * {o}", "{x} > 0.0 ? 0.5 * {x} : -0.25 * {x}"]).format(
-                    x=name, o=other.at(SIGN)).replace(f"{name} > 0.0", f"MAGGI_RE({name}) > 0.0"), 2.0)
-            self.scalars[name] = max(2.0, 0.5*self.scalars[name] + 1.0)
+            v = Value(
+                self.pick(
+                    [
+                        "0.5 * {x} + 0.25 * {o}",
+                        "sin({x}) * 0.5 + {o} * 0.5",
+                        "0.5 * ({x} - {o})",
+                        "0.7 * cos({x}) * {o}",
+                        "{x} > 0.0 ? 0.5 * {x} : -0.25 * {x}",
+                    ]
+                )
+                .format(x=name, o=other.at(SIGN))
+                .replace(f"{name} > 0.0", f"MAGGI_RE({name}) > 0.0"),
+                2.0,
+            )
+            self.scalars[name] = max(2.0, 0.5 * self.scalars[name] + 1.0)
         self.line(f"{name} {op} {v.text};")
 
     def branch(self, depth):
@@ -438,10 +477,20 @@ class Function:
             start = dict(self.scalars), dict(self.vectors), dict(self.counters)
             self.block(self.rng.randint(1, 2), depth - 1)
             other = self.close(start)
-            self.scalars.update({name: max(bound, other[0][name]) for name, bound in then[0].items()
-                                 if name in other[0]})
-            self.vectors.update({name: max(bound, other[1][name]) for name, bound in then[1].items()
-                                 if name in other[1]})
+            self.scalars.update(
+                {
+                    name: max(bound, other[0][name])
+                    for name, bound in then[0].items()
+                    if name in other[0]
+                }
+            )
+            self.vectors.update(
+                {
+                    name: max(bound, other[1][name])
+                    for name, bound in then[1].items()
+                    if name in other[1]
+                }
+            )
         else:
             self.close(saved)
 
@@ -452,8 +501,9 @@ class Function:
             self.branch(depth)
             return
         saved = self.open(f"switch ({self.pick(found)})")
-        for label in self.rng.sample(["case 0:", "case 1:", "case 2:"], self.rng.randint(1, 3)) + \
-                ["default:"]*self.chance(0.7):
+        for label in self.rng.sample(["case 0:", "case 1:", "case 2:"], self.rng.randint(1, 3)) + [
+            "default:"
+        ] * self.chance(0.7):
             state = dict(self.scalars), dict(self.vectors), dict(self.counters)
             self.line(label)
             self.depth += 1
@@ -471,17 +521,21 @@ class Function:
     def header(self, what=None):
         """Text of a loop over something, its counter and what the counter is."""
         name = self.counter()
-        up, down = f"for ({name} = {{a}}; {name} < {{b}}; ++{name})", \
-            f"for ({name} = {{b}} - 1; {name} >= {{a}}; --{name})"
+        up, down = (
+            f"for ({name} = {{a}}; {name} < {{b}}; ++{name})",
+            f"for ({name} = {{b}} - 1; {name} >= {{a}}; --{name})",
+        )
         form = up if self.chance(0.7) else down
         if what is None:
-            what = self.pick(["three"]*3 + (["body", "edge", "some"] if self.has_topo else []))
+            what = self.pick(["three"] * 3 + (["body", "edge", "some"] if self.has_topo else []))
         if what == "three":
-            odd = [f"for ({name} = 0; {name} <= 2; {name} += 2)",
-                   f"for ({name} = 2; {name} > 0; {name}--)"]
+            odd = [
+                f"for ({name} = 0; {name} <= 2; {name} += 2)",
+                f"for ({name} = 2; {name} > 0; {name}--)",
+            ]
             counts = [f"t->count[{i}]" for i in self.of("body") if self.has_topo]
             text = form.format(a="0", b="3")
-            if counts and self.chance(0.3):
+            if counts and not self.again and self.chance(0.3):
                 text = form.format(a="0", b=self.pick(counts))
             elif self.chance(0.15):
                 text = self.pick(odd)
@@ -495,8 +549,12 @@ class Function:
         elif what == "all bodies":
             what, text = "body", form.format(a="0", b="t->n")
         elif what == "row":
-            text = self.pick([f"for ({name} = 0; {name} <= t->n; ++{name})",
-                              f"for ({name} = t->n; {name} >= 0; --{name})"])
+            text = self.pick(
+                [
+                    f"for ({name} = 0; {name} <= t->n; ++{name})",
+                    f"for ({name} = t->n; {name} >= 0; --{name})",
+                ]
+            )
         elif what == "some" and self.of("body"):
             i = self.pick(self.of("body"))
             what, text = "edge", form.format(a=f"t->first[{i}]", b=f"t->first[{i} + 1]")
@@ -537,7 +595,8 @@ class Function:
 
     def fill(self, depth):
         """A local array of three, written once in this block, then perhaps added to."""
-        free = [f"w{k}" for k in range(6) if f"w{k}" not in self.vectors]
+        names = [f"w{k}" for k in range(6 if self.again else len(self.arrays) + 1)]
+        free = [x for x in names if x not in (self.vectors if self.again else self.arrays)]
         if not free:
             self.assign(depth)
             return
@@ -623,9 +682,9 @@ class Program:
         self.seed = seed
         self.rng = random.Random(seed)
         self.name = f"p{seed}"
-        self.size = self.rng.choice([1, 1, 1, 1, 1, 2])
+        self.size = 2 if self.rng.random() < 0.1 else 1
         self.helpers, texts = [], []
-        for k in range(self.rng.randint(1, 2*self.size)):
+        for k in range(self.rng.randint(1, 2 * self.size)):
             texts.append(self.helper(f"{self.name}_h{k}"))
         texts.append(self.head())
         self.text = "\n".join(texts)
@@ -659,8 +718,10 @@ class Program:
             f.block(self.rng.randint(0, 2), 1)
             f.write_three(lambda k, v: f"B[m][{k}] = {v};", 3.0)
             parameters = []
-            signature = f"static void {name}(const topo *t, int m, const double A[t->n + 1][3], " \
+            signature = (
+                f"static void {name}(const topo *t, int m, const double A[t->n + 1][3], "
                 "double x, double B[t->n + 1][3])"
+            )
         elif kind == "fetch":
             f.parameters = ("p", 1.5)
             f.counters["adr"] = "address"
@@ -676,8 +737,10 @@ class Program:
             if kind == "void" and f.chance(0.2):
                 f.add_three("c")
             parameters = ["vector", "double", "vector", "output"]
-            signature = f"static void {name}(const double u[3], double x, const double v[3], " \
+            signature = (
+                f"static void {name}(const double u[3], double x, const double v[3], "
                 "double c[3])"
+            )
         self.helpers.append(Helper(name, kind, parameters, 3.0 if kind != "void" else 8.0))
         return f.text(signature)
 
@@ -694,15 +757,25 @@ class Program:
         self.inputs = f.ties = self.rng.sample(["p", "q", "X", "s"], self.rng.randint(1, 4))
         phases = ["locals", "workspace", "coordinates", "chain", "tree", "edges", "energy", "add"]
         self.outputs = []
-        for phase in self.rng.sample(phases, self.rng.randint(self.size, 2*self.size)):
+        for phase in self.rng.sample(phases, self.rng.randint(self.size, 2 * self.size)):
             getattr(self, "phase_" + phase)()
         if not self.outputs:
             self.phase_coordinates()
         both = [name for name in self.outputs if name == "F"]
-        shapes = {"y": "t->n", "z": "t->n", "Y": "t->n + 1][3", "V": "t->n + 1][3", "e": "1",
-                  "F": "t->n + 1][3"}
-        arguments = ["const double p[t->np]", "const double q[t->n]",
-                     "const double X[t->n + 1][3]", "double s"]
+        shapes = {
+            "y": "t->n",
+            "z": "t->n",
+            "Y": "t->n + 1][3",
+            "V": "t->n + 1][3",
+            "e": "1",
+            "F": "t->n + 1][3",
+        }
+        arguments = [
+            "const double p[t->np]",
+            "const double q[t->n]",
+            "const double X[t->n + 1][3]",
+            "double s",
+        ]
         arguments += [f"double {name}[{shapes[name]}]" for name in self.outputs]
         self.inputs = self.inputs + both
         self.signature = f"void {self.name}(const topo *t, {', '.join(arguments)})"
@@ -766,8 +839,9 @@ class Program:
         up = f.chance(0.6)
         first, i = ("0" if up else "t->n - 1"), f.counter()
         self.write(f"z[{first}]")
-        saved = f.open(f"for ({i} = 1; {i} < t->n; ++{i})" if up
-                       else f"for ({i} = t->n - 2; {i} >= 0; --{i})")
+        saved = f.open(
+            f"for ({i} = 1; {i} < t->n; ++{i})" if up else f"for ({i} = t->n - 2; {i} >= 0; --{i})"
+        )
         f.counters[i] = "body"
         f.loops += 1
         f.scalars[f"z[{i} {'-' if up else '+'} 1]"] = 9.0

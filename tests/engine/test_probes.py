@@ -1,4 +1,4 @@
-"""tools/tapenade/probes: what the engines do with idioms of C, against the table in README.md there.
+"""tools/tapenade/probes: what the engines do with idioms of C, against the table of its README.md.
 
 Our side always; Tapenade itself when the environment variable TAPENADE names the program.
 """
@@ -60,9 +60,21 @@ def test_table():
 
 @pytest.mark.parametrize("name", TABLE)
 def test_is_c(name):
-    done = subprocess.run(["cc", "-std=gnu17", "-fsyntax-only", "-Wall", "-Wextra", "-Werror",
-                           "-Wno-unused-parameter", PROBES / name],
-                          capture_output=True, text=True, check=False)
+    done = subprocess.run(
+        [
+            "cc",
+            "-std=gnu17",
+            "-fsyntax-only",
+            "-Wall",
+            "-Wextra",
+            "-Werror",
+            "-Wno-unused-parameter",
+            PROBES / name,
+        ],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
     assert done.returncode == 0, done.stderr
 
 
@@ -126,15 +138,36 @@ def tapenade(program, folder, name, mode):
         shutil.copy(path, folder)
     output = folder / "out"
     output.mkdir()
-    command = [program, *OPTIONS[mode], "-head", "probe(y)/(x)", "-copyname", f"%_nd_{mode}",
-               *(["-nbdirsmax", str(WIDTH)] if mode == "dv" else []), "-I", ".", "-O", "out", name]
-    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, errors="replace",
-                          stdin=subprocess.DEVNULL, timeout=600, check=False)
+    command = [
+        program,
+        *OPTIONS[mode],
+        "-head",
+        "probe(y)/(x)",
+        "-copyname",
+        f"%_nd_{mode}",
+        *(["-nbdirsmax", str(WIDTH)] if mode == "dv" else []),
+        "-I",
+        ".",
+        "-O",
+        "out",
+        name,
+    ]
+    done = subprocess.run(
+        command,
+        cwd=folder,
+        capture_output=True,
+        text=True,
+        errors="replace",
+        stdin=subprocess.DEVNULL,
+        timeout=600,
+        check=False,
+    )
     said = done.stdout + done.stderr
     said += "".join(path.read_text(errors="replace") for path in output.glob("*.msg"))
     code = output / f"{name[:-2]}_{mode}.c"
-    if not code.exists() or re.search(r"derivative .*(unknown|not (known|defined|provided))", said,
-                                      re.IGNORECASE):
+    if not code.exists() or re.search(
+        r"derivative .*(unknown|not (known|defined|provided))", said, re.IGNORECASE
+    ):
         return "no derivative"
     text = code.read_text(errors="replace")
     definition = re.search(rf"\bprobe_{mode}\s*\(([^;{{]*)\)\s*{{", text)
@@ -146,15 +179,23 @@ def tapenade(program, folder, name, mode):
     (output / "DIFFSIZES.h").write_text(f"#define NBDirsMax {WIDTH}\n")
     (folder / "main.c").write_text(MAIN % (STRUCTURE, CALL[mode]))
     try:
-        harness.compile_library(folder / "probe.so", [folder / "main.c", folder / name, code,
-                                                      *sorted(harness.RUNTIME.glob("*.c"))],
-                                ["-O1", "-w"], [folder, output, harness.RUNTIME])
+        harness.compile_library(
+            folder / "probe.so",
+            [folder / "main.c", folder / name, code, *sorted(harness.RUNTIME.glob("*.c"))],
+            ["-O1", "-w"],
+            [folder, output, harness.RUNTIME],
+        )
     except harness.CompileError:
         return "does not compile"
     # in a process of its own: wrong code may end it
-    done = subprocess.run([sys.executable, "-B", __file__, folder / "probe.so", mode],
-                          capture_output=True, text=True, timeout=60, check=False,
-                          env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)})
+    done = subprocess.run(
+        [sys.executable, "-B", __file__, folder / "probe.so", mode],
+        capture_output=True,
+        text=True,
+        timeout=60,
+        check=False,
+        env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)},
+    )
     return "ok" if done.returncode == 0 else "wrong"
 
 
@@ -174,7 +215,7 @@ def right(library, mode):
     for seed in range(4):
         rng = numpy.random.default_rng(seed)
         x = rng.uniform(-0.9, 0.9, n)
-        J = numpy.array([(f(x + 1e-6*e) - f(x - 1e-6*e))/2e-6 for e in numpy.eye(n)]).T
+        J = numpy.array([(f(x + 1e-6 * e) - f(x - 1e-6 * e)) / 2e-6 for e in numpy.eye(n)]).T
         y = f(x)
         if mode == "b":
             weights = rng.uniform(-1.0, 1.0, n)
@@ -220,25 +261,42 @@ STAND_IN = """\
 """
 
 
-@pytest.mark.parametrize("change, mode, happens", [
-    ("", "d", "ok"),
-    ("", "dv", "ok"),
-    ("text = text.replace('xb[0] += ', 'xb[0] = ').replace('xb[i] += ', 'xb[i] = ')", "b", "ok"),
-    ("text = text.rstrip()[:-1] + '  yd[0] += 1.0;\\n}\\n'", "d", "wrong"),
-    ("text = text.replace('{\\n', '{\\n  *(int *)0 = 1;\\n', 1)", "d", "wrong"),
-    ("text = text.replace(';', '', 1)", "b", "does not compile"),
-    ("text = text.replace(', double yd', ', ...); void probe_no(double yd')", "d", "no derivative"),
-    ("text = text.replace('probe_d(', 'probe_e(')", "d", "no derivative"),
-    ("sys.exit()", "b", "no derivative"),
-    ("print('(AD03) Command: derivative of floor is unknown')", "d", "no derivative"),
-    ("text = 'void probe_d(const topo *t, const double *x, double *y)\\n{\\n}\\n'", "d",
-     "argument lost"),
-])
+@pytest.mark.parametrize(
+    "change, mode, happens",
+    [
+        ("", "d", "ok"),
+        ("", "dv", "ok"),
+        (
+            "text = text.replace('xb[0] += ', 'xb[0] = ').replace('xb[i] += ', 'xb[i] = ')",
+            "b",
+            "ok",
+        ),
+        ("text = text.rstrip()[:-1] + '  yd[0] += 1.0;\\n}\\n'", "d", "wrong"),
+        ("text = text.replace('{\\n', '{\\n  *(int *)0 = 1;\\n', 1)", "d", "wrong"),
+        ("text = text.replace(';', '', 1)", "b", "does not compile"),
+        (
+            "text = text.replace(', double yd', ', ...); void probe_no(double yd')",
+            "d",
+            "no derivative",
+        ),
+        ("text = text.replace('probe_d(', 'probe_e(')", "d", "no derivative"),
+        ("sys.exit()", "b", "no derivative"),
+        ("print('(AD03) Command: derivative of floor is unknown')", "d", "no derivative"),
+        (
+            "text = 'void probe_d(const topo *t, const double *x, double *y)\\n{\\n}\\n'",
+            "d",
+            "argument lost",
+        ),
+    ],
+)
 def test_runner(tmp_path, change, mode, happens):
     """The words for what a program does that plays Tapenade's part: each is found."""
     program = tmp_path / "tapenade"
-    program.write_text(textwrap.dedent(STAND_IN).format(
-        python=sys.executable, tools=str(harness.ROOT / "tools" / "tapenade"), change=change))
+    program.write_text(
+        textwrap.dedent(STAND_IN).format(
+            python=sys.executable, tools=str(harness.ROOT / "tools" / "tapenade"), change=change
+        )
+    )
     program.chmod(0o755)
     work = tmp_path / "work"
     work.mkdir()

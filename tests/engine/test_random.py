@@ -3,7 +3,7 @@ tangent of the adjoint against the complex step of the adjoint.
 
     MAGGI_RANDOM_PROGRAMS  how many (2000)
     MAGGI_RANDOM_SEED      the first seed (1)
-    MAGGI_RANDOM_FLAGS     of the compiler (-O0)
+    MAGGI_RANDOM_FLAGS     of the compiler (-O0, and locals that begin as NaN or large numbers)
 
 A failure prints the seed and the program.  Programs are generated and compiled many at a time; when
 that fails, each of them is tried on its own.
@@ -20,18 +20,26 @@ from programs import HEADER, STRUCTURES, Program
 
 PROGRAMS = int(os.environ.get("MAGGI_RANDOM_PROGRAMS", "2000"))
 SEED = int(os.environ.get("MAGGI_RANDOM_SEED", "1"))
-FLAGS = os.environ.get("MAGGI_RANDOM_FLAGS", "-O0").split()
+FLAGS = os.environ.get("MAGGI_RANDOM_FLAGS", "-O0 -ftrivial-auto-var-init=pattern").split()
 BATCH = 50
 
 
 def build(folder, programs):
-    header = HEADER.replace("} topo;\n", "} topo;\n\n" +
-                            "".join(f"{program.signature};\n" for program in programs))
+    header = HEADER.replace(
+        "} topo;\n", "} topo;\n\n" + "".join(f"{program.signature};\n" for program in programs)
+    )
     text = '#include "kernel.h"\n\n' + "\n".join(program.text for program in programs)
-    heads = [engine.Head(program.name, list(program.outputs), list(program.inputs))
-             for program in programs]
-    return harness.Library(folder, {"kernel.h": header, "a.c": text}, heads, structures=STRUCTURES,
-                           flags=(*FLAGS, "-w"))
+    heads = [
+        engine.Head(program.name, list(program.outputs), list(program.inputs))
+        for program in programs
+    ]
+    return harness.Library(
+        folder,
+        {"kernel.h": header, "a.c": text},
+        heads,
+        structures=STRUCTURES,
+        flags=(*FLAGS, "-w"),
+    )
 
 
 def check(library, head, program):
@@ -67,10 +75,17 @@ def test_random(tmp_path_factory, monkeypatch, first):
         failures = [(program, alone(tmp_path_factory, program)) for program in programs]
         assert any(reason for _, reason in failures), "fails only in one file with others"
     else:
-        failures = [(program, check(library, head, program))
-                    for program, head in zip(programs, library.heads)]
-    text = [f"seed {program.seed}: {reason}\n\n{program.text}\n  outputs {program.outputs} inputs "
-            f"{program.inputs}" for program, reason in failures if reason]
+        failures = [
+            (program, check(library, head, program))
+            for program, head in zip(programs, library.heads)
+        ]
+    text = [
+        f"seed {program.seed}: {reason}\n\n{program.text}\n  outputs {program.outputs} inputs "
+        f"{program.inputs}"
+        for program, reason in failures
+        if reason
+    ]
     if text:
-        pytest.fail(f"{len(text)} of {len(programs)} programs\n\n" + "\n\n".join(text[:3]),
-                    pytrace=False)
+        pytest.fail(
+            f"{len(text)} of {len(programs)} programs\n\n" + "\n\n".join(text[:3]), pytrace=False
+        )

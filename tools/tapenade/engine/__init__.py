@@ -213,7 +213,7 @@ def _table(done):
     """the table of heads that tests run through"""
     lines = ["/* The heads as a table, for tests: see tools/tapenade/runtime/heads.h.",
              " * Written by tools/tapenade/generate: edit the kernel, then `make regenerate`. */",
-             '#include "heads.h"', "", '#include "maggi_ad.h"']
+             '#include "heads.h"', "", "#include <stddef.h>", "", '#include "maggi_ad.h"']
     rows, sizes = [], {}
     for one in done:
         head = one.head

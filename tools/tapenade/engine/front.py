@@ -22,6 +22,7 @@ class Program:
     def __init__(self, paths, include_dirs=(), defines=()):
         self.functions = {}
         self.static = {}  # by path and name
+        self.declared = set()  # in headers
         self.enumerators = {}
         self.own_enumerators = {}  # path -> those that no header declares
         self.tables = {}  # constants that no header declares, by path and name -> text
@@ -70,7 +71,7 @@ def _comments(text):
 class _File:
     def __init__(self, program, path, include_dirs, defines):
         self.program = program
-        self.f, self.globals = None, {}
+        self.f, self.globals, self.scopes = None, {}, []
         self.path = path = str(path)
         try:
             with open(path, encoding="utf-8") as f:
@@ -130,6 +131,8 @@ class _File:
 
     def declaration(self, node):
         self.enums(node.type)
+        if isinstance(node.type, c_ast.FuncDecl) and self.place(node)[0] != self.path:
+            self.program.declared.add(node.name)
         if isinstance(node.type, c_ast.FuncDecl) or node.name is None:
             return
         if "typedef" in node.storage or "extern" in node.storage:
@@ -230,7 +233,7 @@ class _File:
         if f.kind not in ("void", "double", "int"):
             self.refuse(f.node.decl, f"`{f.name}` returns neither double nor int nor void")
         f.locals = {}
-        self.f, self.scopes = f, []
+        self.f = f
         f.body = self.block(f.node.body.block_items or [])
 
     def local(self, node):
@@ -255,24 +258,29 @@ class _File:
             self.refuse(node, f"`{node.name}` is a const local: the adjoint would read it unset")
         if node.init is not None and base == "double":
             self.refuse(node, f"`{node.name}` is initialised where it is declared: assign to it")
-        old = self.f.locals.get(node.name)
-        if old and old != (base, tuple(dims)):
-            self.refuse(node, f"`{node.name}` is declared twice with different types")
-        if self.parameter_of(node.name) or any(node.name in x for x in self.scopes):
-            self.refuse(node, f"`{node.name}` hides another of that name")
-        self.scopes[-1].add(node.name)
-        self.f.locals[node.name] = (base, tuple(dims))
+        if self.parameter_of(node.name) or node.name in self.scopes[-1]:
+            self.refuse(node, f"`{node.name}` is declared twice")
+        name, kind = node.name, (base, tuple(dims))
+        hidden = any(node.name in x for x in self.scopes)
+        while name in self.f.locals and (hidden or self.f.locals[name] != kind):
+            name += "_"
+        self.scopes[-1][node.name] = name
+        self.f.locals[name] = kind
         if node.init is not None:
             if dims:
                 self.refuse(node, f"`{node.name}` is initialised where it is declared")
-            return [Assign(self.place(node), (), Var(node.name), "=", self.expr(node.init))]
+            return [Assign(self.place(node), (), Var(name), "=", self.expr(node.init))]
         return []
+
+    def visible(self, name):
+        """what a name means here: locals of blocks may hide others"""
+        return next((x[name] for x in reversed(self.scopes) if name in x), name)
 
     def parameter_of(self, name):
         return self.f.parameter(name) if self.f else None
 
     def block(self, items):
-        self.scopes.append(set())
+        self.scopes.append({})
         out = [s for node in items for s in self.statement(node)]
         self.scopes.pop()
         return out
@@ -343,7 +351,7 @@ class _File:
         self.refuse(node, f"the operator {node.op}")
 
     def loop(self, node, where, comment):
-        self.scopes.append(set())
+        self.scopes.append({})
         out = self.counted(node, where, comment)
         self.scopes.pop()
         return [out]
@@ -367,6 +375,7 @@ class _File:
                 and isinstance(test.left, c_ast.ID) and test.left.name == var):
             self.refuse(node, "a for loop that is not `for (i = a; i < b; ++i)`")
         bound, step = self.expr(test.right), self.step(node.next, var)
+        var = self.visible(var)
         if step is None or (step > 0) != (test.op in ("<", "<=")):
             self.refuse(node, "a for loop that is not `for (i = a; i < b; ++i)`")
         if self.f.locals.get(var, ("",))[0] != "int":
@@ -448,7 +457,7 @@ class _File:
         if isinstance(node, c_ast.ID):
             if node.name in self.globals:
                 self.refuse(node, f"`{node.name}` is a variable outside of functions")
-            return Var(node.name)
+            return Var(self.visible(node.name))
         if isinstance(node, c_ast.StructRef):
             if node.type == "->" and isinstance(node.name, c_ast.ID):
                 return Var(f"{node.name.name}->{node.field.name}")

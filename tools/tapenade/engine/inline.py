@@ -423,16 +423,16 @@ class Inliner:
         return Call(self.copy(f), tuple(args))
 
     def copy(self, f):
-        """the name of a copy of a static function in the generated file, with what it calls"""
-        if not f.static:
+        """the name of a copy in the generated file, with what it calls, unless a header declares it"""
+        if f.name in self.program.declared:
             return f.name
         name = f"{f.name}_nodiff"
         if name not in self.flat.passive_functions:
             self.flat.passive_functions[name] = ""  # it may call itself
-            text = f.text
+            text = f.text if f.static else "static " + f.text
             for word in sorted(set(re.findall(r"\b(\w+)\s*\(", text))):
                 called = self.program.find(word, f.file.path)
-                if called and called.static:
+                if called:
                     text = re.sub(rf"\b{word}\b(?=\s*\()", self.copy(called), text)
             del self.flat.passive_functions[name]  # behind what it calls
             self.flat.passive_functions[name] = text
