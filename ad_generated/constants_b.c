@@ -791,17 +791,17 @@ void maggi_point_constants_b(const maggi_topo *t, const double p[restrict t->np]
                              double spring0[restrict t->nspring],
                              double spring0b[restrict t->nspring])
 {
-  int adr, i, ref, ref2, ref3;
+  int i, ref, ref2, ref3;
   double a0, a0_2, a0_2b, a0_3, a0_3b, a0b, a1, a1_2, a1_2b, a1_3, a1_3b, a1b, a20, a20b, a21, a21b,
-      a22, a22b, a2_2, a2_2b, a2_3, a2_3b, a2_4, a2_4b, a30, a30b, a31, a31b, a32, a32b, c0, c0_2,
-      c0_2b, c0b, c1, c1_2, c1_2b, c1b, c2, c2_2, c2_2b, c2_3, c2_3b, c2b, e0, e0b, e1, e1b, e2,
-      e2b, f, fb, m0, m0b, m1, m1b, m2, m2b, n20, n20_2, n20_2b, n20b, n21, n21_2, n21_2b, n21b,
-      n22, n22_2, n22_2b, n22b, n3, n3b, n4, n4b, n5, n5b, n6, n6b, n7, n7b, n8, n8b, s, s20, s20b,
-      s21, s21b, s22, s22b, s3, s3b, sb, sv0b, sv1b, sv2b, t10b, t2, t2b, t3, t3b, t4, t4b, t5, t5b,
-      t6, t6b, t7, t7b, t8, t8b, t9b, tb10, tb11, tb12, tb13, tb14, tb15, tb16, tb17, tb18, tb19,
-      tb2, tb20, tb21, tb22, tb23, tb24, tb25, tb26, tb27, tb28, tb29, tb3, tb30, tb31, tb32, tb33,
-      tb34, tb35, tb4, tb5, tb6, tb7, tb8, tb9, w0, w0_2, w0_2b, w1, w1_2, w1_2b, w2, w2_2, w2_2b,
-      x, x2, x2b, xb, y, y2, y2b, yb, z, z2, z2b, zb;
+      a22, a22b, a2_2, a2_2b, a2_3, a2_3b, a2_4, a2_4b, a30, a30b, a31, a31b, a32, a32b, c0b, c1b,
+      c20, c20_2, c20_2b, c20b, c21, c21_2, c21_2b, c21b, c22, c22_2, c22_2b, c22b, c2_2b, c3, c3b,
+      e0, e0b, e1, e1b, e2, e2b, f, fb, m0, m0b, m1, m1b, m2, m2b, n20, n20_2, n20_2b, n20b, n21,
+      n21_2, n21_2b, n21b, n22, n22_2, n22_2b, n22b, n3, n3b, n4, n4b, n5, n5b, n6, n6b, n7, n7b,
+      n8, n8b, s, s20, s20b, s21, s21b, s22, s22b, s3, s3b, sb, sv0b, sv1b, sv2b, t10b, t2, t2b, t3,
+      t3b, t4, t4b, t5, t5b, t6, t6b, t7, t7b, t8, t8b, t9b, tb10, tb11, tb12, tb13, tb14, tb15,
+      tb16, tb17, tb18, tb19, tb2, tb20, tb21, tb22, tb23, tb24, tb25, tb26, tb27, tb28, tb29, tb3,
+      tb30, tb31, tb32, tb33, tb34, tb35, tb36, tb37, tb38, tb4, tb5, tb6, tb7, tb8, tb9, w0, w0_2,
+      w0_2b, w1, w1_2, w1_2b, w2, w2_2, w2_2b, x, x2, x2b, xb, y, y2, y2b, yb, z, z2, z2b, zb;
 
   (void)origin;
   (void)point0;
@@ -809,9 +809,9 @@ void maggi_point_constants_b(const maggi_topo *t, const double p[restrict t->np]
     x2 = p[t->pointadr[t->springpa[i]]] - p[t->pointadr[t->springpb[i]]];
     y2 = p[t->pointadr[t->springpa[i]] + 1] - p[t->pointadr[t->springpb[i]] + 1];
     z2 = p[t->pointadr[t->springpa[i]] + 2] - p[t->pointadr[t->springpb[i]] + 2];
-    tb35 = spring0b[i];
+    tb38 = spring0b[i];
     spring0b[i] = 0.0;
-    t10b = tb35 * (1.0 / (2.0 * spring0[i]));
+    t10b = tb38 * (1.0 / (2.0 * spring0[i]));
     x2b = t10b * x2;
     x2b += t10b * x2;
     y2b = t10b * y2;
@@ -833,9 +833,9 @@ void maggi_point_constants_b(const maggi_topo *t, const double p[restrict t->np]
       x = p[t->pointadr[t->primpa[i]]] - p[t->pointadr[t->primpb[i]]];
       y = p[t->pointadr[t->primpa[i]] + 1] - p[t->pointadr[t->primpb[i]] + 1];
       z = p[t->pointadr[t->primpa[i]] + 2] - p[t->pointadr[t->primpb[i]] + 2];
-      tb33 = prim0b[i];
+      tb36 = prim0b[i];
       prim0b[i] = 0.0;
-      t9b = tb33 * (1.0 / (2.0 * prim0[i]));
+      t9b = tb36 * (1.0 / (2.0 * prim0[i]));
       xb = t9b * x;
       xb += t9b * x;
       yb = t9b * y;
@@ -849,14 +849,14 @@ void maggi_point_constants_b(const maggi_topo *t, const double p[restrict t->np]
       pb[t->pointadr[t->primpa[i]]] += xb;
       pb[t->pointadr[t->primpb[i]]] -= xb;
     } else if (t->primkind[i] == MAGGI_PRIM_ANGLE && t->primadr[i] == -1) {
-      tb34 = prim0b[i];
+      tb37 = prim0b[i];
       prim0b[i] = 0.0;
-      dir0b[t->primda[i]][0] += tb34 * dir0[t->primdb[i]][0];
-      dir0b[t->primdb[i]][0] += tb34 * dir0[t->primda[i]][0];
-      dir0b[t->primda[i]][1] += tb34 * dir0[t->primdb[i]][1];
-      dir0b[t->primdb[i]][1] += tb34 * dir0[t->primda[i]][1];
-      dir0b[t->primda[i]][2] += tb34 * dir0[t->primdb[i]][2];
-      dir0b[t->primdb[i]][2] += tb34 * dir0[t->primda[i]][2];
+      dir0b[t->primda[i]][0] += tb37 * dir0[t->primdb[i]][0];
+      dir0b[t->primdb[i]][0] += tb37 * dir0[t->primda[i]][0];
+      dir0b[t->primda[i]][1] += tb37 * dir0[t->primdb[i]][1];
+      dir0b[t->primdb[i]][1] += tb37 * dir0[t->primda[i]][1];
+      dir0b[t->primda[i]][2] += tb37 * dir0[t->primdb[i]][2];
+      dir0b[t->primdb[i]][2] += tb37 * dir0[t->primda[i]][2];
     } else {
       prim0b[i] = 0.0;
     }
@@ -872,21 +872,21 @@ void maggi_point_constants_b(const maggi_topo *t, const double p[restrict t->np]
       a2_2 = p[t->diradr[i] + 2];
       t2 = a0 * a0 + a1 * a1 + a2_2 * a2_2;
       n3 = sqrt(t2);
-      tb9 = dir0b[i][2];
+      tb12 = dir0b[i][2];
       dir0b[i][2] = 0.0;
-      tb10 = tb9 / n3;
-      a2_2b = tb10;
-      n3b = -(tb10 * dir0[i][2]);
-      tb7 = dir0b[i][1];
+      tb13 = tb12 / n3;
+      a2_2b = tb13;
+      n3b = -(tb13 * dir0[i][2]);
+      tb10 = dir0b[i][1];
       dir0b[i][1] = 0.0;
-      tb8 = tb7 / n3;
-      a1b = tb8;
-      n3b -= tb8 * dir0[i][1];
-      tb5 = dir0b[i][0];
+      tb11 = tb10 / n3;
+      a1b = tb11;
+      n3b -= tb11 * dir0[i][1];
+      tb8 = dir0b[i][0];
       dir0b[i][0] = 0.0;
-      tb6 = tb5 / n3;
-      a0b = tb6;
-      n3b -= tb6 * dir0[i][0];
+      tb9 = tb8 / n3;
+      a0b = tb9;
+      n3b -= tb9 * dir0[i][0];
       t2b = n3b * (1.0 / (2.0 * n3));
       a0b += t2b * a0;
       a0b += t2b * a0;
@@ -915,9 +915,9 @@ void maggi_point_constants_b(const maggi_topo *t, const double p[restrict t->np]
       a22 = w2 - s * n22;
       t4 = a20 * a20 + a21 * a21 + a22 * a22;
       n5 = sqrt(t4);
-      c0 = a20 / n5;
-      c1 = a21 / n5;
-      c2_2 = a22 / n5;
+      c20 = a20 / n5;
+      c21 = a21 / n5;
+      c22 = a22 / n5;
       e0 = p[t->diradr[i]];
       e1 = p[t->diradr[i] + 1];
       e2 = p[t->diradr[i] + 2];
@@ -926,54 +926,54 @@ void maggi_point_constants_b(const maggi_topo *t, const double p[restrict t->np]
       m0 = e0 / n6;
       m1 = e1 / n6;
       m2 = e2 / n6;
-      c2 = n20 * m0 + n21 * m1 + n22 * m2;
+      c3 = n20 * m0 + n21 * m1 + n22 * m2;
       s20 = n21 * m2 - n22 * m1;
       s21 = n22 * m0 - n20 * m2;
       s22 = n20 * m1 - n21 * m0;
-      t6 = 1.0 + c2;
-      f = (s20 * c0 + s21 * c1 + s22 * c2_2) / t6;
-      tb23 = dir0b[i][2];
+      t6 = 1.0 + c3;
+      f = (s20 * c20 + s21 * c21 + s22 * c22) / t6;
+      tb26 = dir0b[i][2];
       dir0b[i][2] = 0.0;
-      c2b = tb23 * c2_2;
-      c2_2b = tb23 * c2;
-      sv2b = tb23;
-      fb = tb23 * s22;
-      s22b = tb23 * f;
-      tb22 = dir0b[i][1];
+      c3b = tb26 * c22;
+      c22b = tb26 * c3;
+      sv2b = tb26;
+      fb = tb26 * s22;
+      s22b = tb26 * f;
+      tb25 = dir0b[i][1];
       dir0b[i][1] = 0.0;
-      c2b += tb22 * c1;
-      c1b = tb22 * c2;
-      sv1b = tb22;
-      fb += tb22 * s21;
-      s21b = tb22 * f;
-      tb21 = dir0b[i][0];
+      c3b += tb25 * c21;
+      c21b = tb25 * c3;
+      sv1b = tb25;
+      fb += tb25 * s21;
+      s21b = tb25 * f;
+      tb24 = dir0b[i][0];
       dir0b[i][0] = 0.0;
-      c2b += tb21 * c0;
-      c0b = tb21 * c2;
-      sv0b = tb21;
-      fb += tb21 * s20;
-      s20b = tb21 * f;
-      tb20 = fb / t6;
-      s20b += tb20 * c0;
-      c0b += tb20 * s20;
-      s21b += tb20 * c1;
-      c1b += tb20 * s21;
-      s22b += tb20 * c2_2;
-      c2_2b += tb20 * s22;
-      t6b = -(tb20 * f);
-      c2b += t6b;
-      s20b += sv2b * c1;
-      c1b += sv2b * s20;
-      s21b -= sv2b * c0;
-      c0b -= sv2b * s21;
-      s22b += sv1b * c0;
-      c0b += sv1b * s22;
-      s20b -= sv1b * c2_2;
-      c2_2b -= sv1b * s20;
-      s21b += sv0b * c2_2;
-      c2_2b += sv0b * s21;
-      s22b -= sv0b * c1;
-      c1b -= sv0b * s22;
+      c3b += tb24 * c20;
+      c20b = tb24 * c3;
+      sv0b = tb24;
+      fb += tb24 * s20;
+      s20b = tb24 * f;
+      tb23 = fb / t6;
+      s20b += tb23 * c20;
+      c20b += tb23 * s20;
+      s21b += tb23 * c21;
+      c21b += tb23 * s21;
+      s22b += tb23 * c22;
+      c22b += tb23 * s22;
+      t6b = -(tb23 * f);
+      c3b += t6b;
+      s20b += sv2b * c21;
+      c21b += sv2b * s20;
+      s21b -= sv2b * c20;
+      c20b -= sv2b * s21;
+      s22b += sv1b * c20;
+      c20b += sv1b * s22;
+      s20b -= sv1b * c22;
+      c22b -= sv1b * s20;
+      s21b += sv0b * c22;
+      c22b += sv0b * s21;
+      s22b -= sv0b * c21;
+      c21b -= sv0b * s22;
       n20b = s22b * m1;
       m1b = s22b * n20;
       n21b = -(s22b * m0);
@@ -988,21 +988,21 @@ void maggi_point_constants_b(const maggi_topo *t, const double p[restrict t->np]
       m1b -= s20b * n22;
       /* v turned by the smallest turn that takes the unit vector n to the unit vector m:
        *   c v + s × v + s (s.v) / (1 + c),  c = n.m,  s = n × m */
-      n20b += c2b * m0;
-      m0b += c2b * n20;
-      n21b += c2b * m1;
-      m1b += c2b * n21;
-      n22b += c2b * m2;
-      m2b += c2b * n22;
-      tb19 = m2b / n6;
-      e2b = tb19;
-      n6b = -(tb19 * m2);
-      tb18 = m1b / n6;
-      e1b = tb18;
-      n6b -= tb18 * m1;
-      tb17 = m0b / n6;
-      e0b = tb17;
-      n6b -= tb17 * m0;
+      n20b += c3b * m0;
+      m0b += c3b * n20;
+      n21b += c3b * m1;
+      m1b += c3b * n21;
+      n22b += c3b * m2;
+      m2b += c3b * n22;
+      tb22 = m2b / n6;
+      e2b = tb22;
+      n6b = -(tb22 * m2);
+      tb21 = m1b / n6;
+      e1b = tb21;
+      n6b -= tb21 * m1;
+      tb20 = m0b / n6;
+      e0b = tb20;
+      n6b -= tb20 * m0;
       t5b = n6b * (1.0 / (2.0 * n6));
       e0b += t5b * e0;
       e0b += t5b * e0;
@@ -1013,15 +1013,15 @@ void maggi_point_constants_b(const maggi_topo *t, const double p[restrict t->np]
       pb[t->diradr[i] + 2] += e2b;
       pb[t->diradr[i] + 1] += e1b;
       pb[t->diradr[i]] += e0b;
-      tb16 = c2_2b / n5;
-      a22b = tb16;
-      n5b = -(tb16 * c2_2);
-      tb15 = c1b / n5;
-      a21b = tb15;
-      n5b -= tb15 * c1;
-      tb14 = c0b / n5;
-      a20b = tb14;
-      n5b -= tb14 * c0;
+      tb19 = c22b / n5;
+      a22b = tb19;
+      n5b = -(tb19 * c22);
+      tb18 = c21b / n5;
+      a21b = tb18;
+      n5b -= tb18 * c21;
+      tb17 = c20b / n5;
+      a20b = tb17;
+      n5b -= tb17 * c20;
       t4b = n5b * (1.0 / (2.0 * n5));
       a20b += t4b * a20;
       a20b += t4b * a20;
@@ -1039,15 +1039,15 @@ void maggi_point_constants_b(const maggi_topo *t, const double p[restrict t->np]
       n20b += sb * w0;
       n21b += sb * w1;
       n22b += sb * w2;
-      tb13 = n22b / n4;
-      a2_3b = tb13;
-      n4b = -(tb13 * n22);
-      tb12 = n21b / n4;
-      a1_2b = tb12;
-      n4b -= tb12 * n21;
-      tb11 = n20b / n4;
-      a0_2b = tb11;
-      n4b -= tb11 * n20;
+      tb16 = n22b / n4;
+      a2_3b = tb16;
+      n4b = -(tb16 * n22);
+      tb15 = n21b / n4;
+      a1_2b = tb15;
+      n4b -= tb15 * n21;
+      tb14 = n20b / n4;
+      a0_2b = tb14;
+      n4b -= tb14 * n20;
       t3b = n4b * (1.0 / (2.0 * n4));
       a0_2b += t3b * a0_2;
       a0_2b += t3b * a0_2;
@@ -1082,51 +1082,51 @@ void maggi_point_constants_b(const maggi_topo *t, const double p[restrict t->np]
       a32 = w2_2 - s3 * n22_2;
       t8 = a30 * a30 + a31 * a31 + a32 * a32;
       n8 = sqrt(t8);
-      c0_2 = a30 / n8;
-      c1_2 = a31 / n8;
-      c2_3 = a32 / n8;
-      c0_2b = 0.0;
-      c1_2b = 0.0;
-      c2_3b = 0.0;
+      c20_2 = a30 / n8;
+      c21_2 = a31 / n8;
+      c22_2 = a32 / n8;
+      c20_2b = 0.0;
+      c21_2b = 0.0;
+      c22_2b = 0.0;
       n20_2b = 0.0;
       n21_2b = 0.0;
       n22_2b = 0.0;
       if (t->dirkind[i] == MAGGI_DIR_ACROSS || t->dirkind[i] == MAGGI_DIR_ACROSS_GLOBAL) {
-        c2_3b += dir0b[i][2];
+        c22_2b += dir0b[i][2];
         dir0b[i][2] = 0.0;
-        c1_2b += dir0b[i][1];
+        c21_2b += dir0b[i][1];
         dir0b[i][1] = 0.0;
-        c0_2b += dir0b[i][0];
+        c20_2b += dir0b[i][0];
         dir0b[i][0] = 0.0;
       } else {
-        tb32 = dir0b[i][2];
+        tb35 = dir0b[i][2];
         dir0b[i][2] = 0.0;
-        n20_2b += tb32 * c1_2;
-        c1_2b += tb32 * n20_2;
-        n21_2b -= tb32 * c0_2;
-        c0_2b -= tb32 * n21_2;
-        tb31 = dir0b[i][1];
+        n20_2b += tb35 * c21_2;
+        c21_2b += tb35 * n20_2;
+        n21_2b -= tb35 * c20_2;
+        c20_2b -= tb35 * n21_2;
+        tb34 = dir0b[i][1];
         dir0b[i][1] = 0.0;
-        n22_2b += tb31 * c0_2;
-        c0_2b += tb31 * n22_2;
-        n20_2b -= tb31 * c2_3;
-        c2_3b -= tb31 * n20_2;
-        tb30 = dir0b[i][0];
+        n22_2b += tb34 * c20_2;
+        c20_2b += tb34 * n22_2;
+        n20_2b -= tb34 * c22_2;
+        c22_2b -= tb34 * n20_2;
+        tb33 = dir0b[i][0];
         dir0b[i][0] = 0.0;
-        n21_2b += tb30 * c2_3;
-        c2_3b += tb30 * n21_2;
-        n22_2b -= tb30 * c1_2;
-        c1_2b -= tb30 * n22_2;
+        n21_2b += tb33 * c22_2;
+        c22_2b += tb33 * n21_2;
+        n22_2b -= tb33 * c21_2;
+        c21_2b -= tb33 * n22_2;
       }
-      tb29 = c2_3b / n8;
-      a32b = tb29;
-      n8b = -(tb29 * c2_3);
-      tb28 = c1_2b / n8;
-      a31b = tb28;
-      n8b -= tb28 * c1_2;
-      tb27 = c0_2b / n8;
-      a30b = tb27;
-      n8b -= tb27 * c0_2;
+      tb32 = c22_2b / n8;
+      a32b = tb32;
+      n8b = -(tb32 * c22_2);
+      tb31 = c21_2b / n8;
+      a31b = tb31;
+      n8b -= tb31 * c21_2;
+      tb30 = c20_2b / n8;
+      a30b = tb30;
+      n8b -= tb30 * c20_2;
       t8b = n8b * (1.0 / (2.0 * n8));
       a30b += t8b * a30;
       a30b += t8b * a30;
@@ -1162,15 +1162,15 @@ void maggi_point_constants_b(const maggi_topo *t, const double p[restrict t->np]
         w1_2b = 0.0;
         w0_2b = 0.0;
       }
-      tb26 = n22_2b / n7;
-      a2_4b = tb26;
-      n7b = -(tb26 * n22_2);
-      tb25 = n21_2b / n7;
-      a1_3b = tb25;
-      n7b -= tb25 * n21_2;
-      tb24 = n20_2b / n7;
-      a0_3b = tb24;
-      n7b -= tb24 * n20_2;
+      tb29 = n22_2b / n7;
+      a2_4b = tb29;
+      n7b = -(tb29 * n22_2);
+      tb28 = n21_2b / n7;
+      a1_3b = tb28;
+      n7b -= tb28 * n21_2;
+      tb27 = n20_2b / n7;
+      a0_3b = tb27;
+      n7b -= tb27 * n20_2;
       t7b = n7b * (1.0 / (2.0 * n7));
       a0_3b += t7b * a0_3;
       a0_3b += t7b * a0_3;
@@ -1184,36 +1184,66 @@ void maggi_point_constants_b(const maggi_topo *t, const double p[restrict t->np]
     }
   }
   for (i = t->npoint - 1; i >= 0; --i) {
-    adr = t->pointadr[i];
+    c2_2b = 0.0;
     if (t->pointbody[i] == t->nbody) {
-      pb[adr + 2] += point0b[i][2];
+      c2_2b += point0b[i][2];
       point0b[i][2] = 0.0;
     } else {
       ref3 = t->jpointadr[t->pointbody[i]];
-      tb4 = point0b[i][2];
+      tb7 = point0b[i][2];
       point0b[i][2] = 0.0;
-      pb[adr + 2] += tb4;
-      pb[ref3 + 2] -= tb4;
+      c2_2b += tb7;
+      pb[ref3 + 2] -= tb7;
     }
+    c1b = 0.0;
     if (t->pointbody[i] == t->nbody) {
-      pb[adr + 1] += point0b[i][1];
+      c1b += point0b[i][1];
       point0b[i][1] = 0.0;
     } else {
       ref2 = t->jpointadr[t->pointbody[i]];
-      tb3 = point0b[i][1];
+      tb6 = point0b[i][1];
       point0b[i][1] = 0.0;
-      pb[adr + 1] += tb3;
-      pb[ref2 + 1] -= tb3;
+      c1b += tb6;
+      pb[ref2 + 1] -= tb6;
     }
+    c0b = 0.0;
     if (t->pointbody[i] == t->nbody) {
-      pb[adr] += point0b[i][0];
+      c0b += point0b[i][0];
       point0b[i][0] = 0.0;
     } else {
       ref = t->jpointadr[t->pointbody[i]];
-      tb2 = point0b[i][0];
+      tb5 = point0b[i][0];
       point0b[i][0] = 0.0;
-      pb[adr] += tb2;
-      pb[ref] -= tb2;
+      c0b += tb5;
+      pb[ref] -= tb5;
+    }
+    if (t->pointadr2[i] >= 0) {
+      tb4 = c2_2b * 0.5;
+      pb[t->pointadr[i] + 2] += tb4;
+      pb[t->pointadr2[i] + 2] += tb4;
+      c2_2b = 0.0;
+    } else {
+      pb[t->pointadr[i] + 2] += c2_2b;
+      c2_2b = 0.0;
+    }
+    if (t->pointadr2[i] >= 0) {
+      tb3 = c1b * 0.5;
+      pb[t->pointadr[i] + 1] += tb3;
+      pb[t->pointadr2[i] + 1] += tb3;
+      c1b = 0.0;
+    } else {
+      pb[t->pointadr[i] + 1] += c1b;
+      c1b = 0.0;
+    }
+    /* of a point, or the middle between two when the second address is not -1 */
+    if (t->pointadr2[i] >= 0) {
+      tb2 = c0b * 0.5;
+      pb[t->pointadr[i]] += tb2;
+      pb[t->pointadr2[i]] += tb2;
+      c0b = 0.0;
+    } else {
+      pb[t->pointadr[i]] += c0b;
+      c0b = 0.0;
     }
   }
 }

@@ -1529,28 +1529,29 @@ void maggi_point_constants_b_d(const maggi_topo *t, const double p[restrict t->n
                                double spring0b[restrict t->nspring],
                                double spring0bd[restrict t->nspring])
 {
-  int adr, i, ref, ref2, ref3;
+  int i, ref, ref2, ref3;
   double a0, a0_2, a0_2b, a0_2bd, a0_2d, a0_3, a0_3b, a0_3bd, a0_3d, a0b, a0bd, a0d, a1, a1_2,
       a1_2b, a1_2bd, a1_2d, a1_3, a1_3b, a1_3bd, a1_3d, a1b, a1bd, a1d, a20, a20b, a20bd, a20d, a21,
       a21b, a21bd, a21d, a22, a22b, a22bd, a22d, a2_2, a2_2b, a2_2bd, a2_2d, a2_3, a2_3b, a2_3bd,
       a2_3d, a2_4, a2_4b, a2_4bd, a2_4d, a30, a30b, a30bd, a30d, a31, a31b, a31bd, a31d, a32, a32b,
-      a32bd, a32d, c0, c0_2, c0_2b, c0_2bd, c0_2d, c0b, c0bd, c0d, c1, c1_2, c1_2b, c1_2bd, c1_2d,
-      c1b, c1bd, c1d, c2, c2_2, c2_2b, c2_2bd, c2_2d, c2_3, c2_3b, c2_3bd, c2_3d, c2b, c2bd, c2d,
-      e0, e0b, e0bd, e0d, e1, e1b, e1bd, e1d, e2, e2b, e2bd, e2d, f, fb, fbd, fd, m0, m0b, m0bd,
-      m0d, m1, m1b, m1bd, m1d, m2, m2b, m2bd, m2d, n20, n20_2, n20_2b, n20_2bd, n20_2d, n20b, n20bd,
-      n20d, n21, n21_2, n21_2b, n21_2bd, n21_2d, n21b, n21bd, n21d, n22, n22_2, n22_2b, n22_2bd,
-      n22_2d, n22b, n22bd, n22d, n3, n3b, n3bd, n3d, n4, n4b, n4bd, n4d, n5, n5b, n5bd, n5d, n6,
-      n6b, n6bd, n6d, n7, n7b, n7bd, n7d, n8, n8b, n8bd, n8d, s, s20, s20b, s20bd, s20d, s21, s21b,
-      s21bd, s21d, s22, s22b, s22bd, s22d, s3, s3b, s3bd, s3d, sb, sbd, sd, sv0b, sv0bd, sv1b,
-      sv1bd, sv2b, sv2bd, t10b, t10bd, t2, t2b, t2bd, t2d, t3, t3b, t3bd, t3d, t4, t4b, t4bd, t4d,
-      t5, t5b, t5bd, t5d, t6, t6b, t6bd, t6d, t7, t7b, t7bd, t7d, t8, t8b, t8bd, t8d, t9b, t9bd,
-      tb10, tb10d, tb11, tb11d, tb12, tb12d, tb13, tb13d, tb14, tb14d, tb15, tb15d, tb16, tb16d,
-      tb17, tb17d, tb18, tb18d, tb19, tb19d, tb2, tb20, tb20d, tb21, tb21d, tb22, tb22d, tb23,
-      tb23d, tb24, tb24d, tb25, tb25d, tb26, tb26d, tb27, tb27d, tb28, tb28d, tb29, tb29d, tb2d,
-      tb3, tb30, tb30d, tb31, tb31d, tb32, tb32d, tb33, tb33d, tb34, tb34d, tb35, tb35d, tb3d, tb4,
-      tb4d, tb5, tb5d, tb6, tb6d, tb7, tb7d, tb8, tb8d, tb9, tb9d, w0, w0_2, w0_2b, w0_2bd, w0_2d,
-      w1, w1_2, w1_2b, w1_2bd, w1_2d, w2, w2_2, w2_2b, w2_2bd, w2_2d, x, x2, x2b, x2bd, x2d, xb,
-      xbd, xd, y, y2, y2b, y2bd, y2d, yb, ybd, yd, z, z2, z2b, z2bd, z2d, zb, zbd, zd;
+      a32bd, a32d, c0b, c0bd, c1b, c1bd, c20, c20_2, c20_2b, c20_2bd, c20_2d, c20b, c20bd, c20d,
+      c21, c21_2, c21_2b, c21_2bd, c21_2d, c21b, c21bd, c21d, c22, c22_2, c22_2b, c22_2bd, c22_2d,
+      c22b, c22bd, c22d, c2_2b, c2_2bd, c3, c3b, c3bd, c3d, e0, e0b, e0bd, e0d, e1, e1b, e1bd, e1d,
+      e2, e2b, e2bd, e2d, f, fb, fbd, fd, m0, m0b, m0bd, m0d, m1, m1b, m1bd, m1d, m2, m2b, m2bd,
+      m2d, n20, n20_2, n20_2b, n20_2bd, n20_2d, n20b, n20bd, n20d, n21, n21_2, n21_2b, n21_2bd,
+      n21_2d, n21b, n21bd, n21d, n22, n22_2, n22_2b, n22_2bd, n22_2d, n22b, n22bd, n22d, n3, n3b,
+      n3bd, n3d, n4, n4b, n4bd, n4d, n5, n5b, n5bd, n5d, n6, n6b, n6bd, n6d, n7, n7b, n7bd, n7d, n8,
+      n8b, n8bd, n8d, s, s20, s20b, s20bd, s20d, s21, s21b, s21bd, s21d, s22, s22b, s22bd, s22d, s3,
+      s3b, s3bd, s3d, sb, sbd, sd, sv0b, sv0bd, sv1b, sv1bd, sv2b, sv2bd, t10b, t10bd, t2, t2b,
+      t2bd, t2d, t3, t3b, t3bd, t3d, t4, t4b, t4bd, t4d, t5, t5b, t5bd, t5d, t6, t6b, t6bd, t6d, t7,
+      t7b, t7bd, t7d, t8, t8b, t8bd, t8d, t9b, t9bd, tb10, tb10d, tb11, tb11d, tb12, tb12d, tb13,
+      tb13d, tb14, tb14d, tb15, tb15d, tb16, tb16d, tb17, tb17d, tb18, tb18d, tb19, tb19d, tb2,
+      tb20, tb20d, tb21, tb21d, tb22, tb22d, tb23, tb23d, tb24, tb24d, tb25, tb25d, tb26, tb26d,
+      tb27, tb27d, tb28, tb28d, tb29, tb29d, tb2d, tb3, tb30, tb30d, tb31, tb31d, tb32, tb32d, tb33,
+      tb33d, tb34, tb34d, tb35, tb35d, tb36, tb36d, tb37, tb37d, tb38, tb38d, tb3d, tb4, tb4d, tb5,
+      tb5d, tb6, tb6d, tb7, tb7d, tb8, tb8d, tb9, tb9d, w0, w0_2, w0_2b, w0_2bd, w0_2d, w1, w1_2,
+      w1_2b, w1_2bd, w1_2d, w2, w2_2, w2_2b, w2_2bd, w2_2d, x, x2, x2b, x2bd, x2d, xb, xbd, xd, y,
+      y2, y2b, y2bd, y2d, yb, ybd, yd, z, z2, z2b, z2bd, z2d, zb, zbd, zd;
 
   (void)origin;
   (void)point0;
@@ -1562,12 +1563,12 @@ void maggi_point_constants_b_d(const maggi_topo *t, const double p[restrict t->n
     y2d = pd[t->pointadr[t->springpa[i]] + 1] - pd[t->pointadr[t->springpb[i]] + 1];
     z2 = p[t->pointadr[t->springpa[i]] + 2] - p[t->pointadr[t->springpb[i]] + 2];
     z2d = pd[t->pointadr[t->springpa[i]] + 2] - pd[t->pointadr[t->springpb[i]] + 2];
-    tb35 = spring0b[i];
-    tb35d = spring0bd[i];
+    tb38 = spring0b[i];
+    tb38d = spring0bd[i];
     spring0b[i] = 0.0;
     spring0bd[i] = 0.0;
-    t10b = tb35 * (1.0 / (2.0 * spring0[i]));
-    t10bd = tb35d * (1.0 / (2.0 * spring0[i])) - tb35 * (1.0 / (2.0 * spring0[i]) * (2.0 *
+    t10b = tb38 * (1.0 / (2.0 * spring0[i]));
+    t10bd = tb38d * (1.0 / (2.0 * spring0[i])) - tb38 * (1.0 / (2.0 * spring0[i]) * (2.0 *
         spring0d[i]) / (2.0 * spring0[i]));
     x2b = t10b * x2;
     x2bd = t10bd * x2 + t10b * x2d;
@@ -1607,12 +1608,12 @@ void maggi_point_constants_b_d(const maggi_topo *t, const double p[restrict t->n
       yd = pd[t->pointadr[t->primpa[i]] + 1] - pd[t->pointadr[t->primpb[i]] + 1];
       z = p[t->pointadr[t->primpa[i]] + 2] - p[t->pointadr[t->primpb[i]] + 2];
       zd = pd[t->pointadr[t->primpa[i]] + 2] - pd[t->pointadr[t->primpb[i]] + 2];
-      tb33 = prim0b[i];
-      tb33d = prim0bd[i];
+      tb36 = prim0b[i];
+      tb36d = prim0bd[i];
       prim0b[i] = 0.0;
       prim0bd[i] = 0.0;
-      t9b = tb33 * (1.0 / (2.0 * prim0[i]));
-      t9bd = tb33d * (1.0 / (2.0 * prim0[i])) - tb33 * (1.0 / (2.0 * prim0[i]) * (2.0 * prim0d[i]) /
+      t9b = tb36 * (1.0 / (2.0 * prim0[i]));
+      t9bd = tb36d * (1.0 / (2.0 * prim0[i])) - tb36 * (1.0 / (2.0 * prim0[i]) * (2.0 * prim0d[i]) /
           (2.0 * prim0[i]));
       xb = t9b * x;
       xbd = t9bd * x + t9b * xd;
@@ -1639,22 +1640,22 @@ void maggi_point_constants_b_d(const maggi_topo *t, const double p[restrict t->n
       pb[t->pointadr[t->primpb[i]]] -= xb;
       pbd[t->pointadr[t->primpb[i]]] -= xbd;
     } else if (t->primkind[i] == MAGGI_PRIM_ANGLE && t->primadr[i] == -1) {
-      tb34 = prim0b[i];
-      tb34d = prim0bd[i];
+      tb37 = prim0b[i];
+      tb37d = prim0bd[i];
       prim0b[i] = 0.0;
       prim0bd[i] = 0.0;
-      dir0b[t->primda[i]][0] += tb34 * dir0[t->primdb[i]][0];
-      dir0bd[t->primda[i]][0] += tb34d * dir0[t->primdb[i]][0] + tb34 * dir0d[t->primdb[i]][0];
-      dir0b[t->primdb[i]][0] += tb34 * dir0[t->primda[i]][0];
-      dir0bd[t->primdb[i]][0] += tb34d * dir0[t->primda[i]][0] + tb34 * dir0d[t->primda[i]][0];
-      dir0b[t->primda[i]][1] += tb34 * dir0[t->primdb[i]][1];
-      dir0bd[t->primda[i]][1] += tb34d * dir0[t->primdb[i]][1] + tb34 * dir0d[t->primdb[i]][1];
-      dir0b[t->primdb[i]][1] += tb34 * dir0[t->primda[i]][1];
-      dir0bd[t->primdb[i]][1] += tb34d * dir0[t->primda[i]][1] + tb34 * dir0d[t->primda[i]][1];
-      dir0b[t->primda[i]][2] += tb34 * dir0[t->primdb[i]][2];
-      dir0bd[t->primda[i]][2] += tb34d * dir0[t->primdb[i]][2] + tb34 * dir0d[t->primdb[i]][2];
-      dir0b[t->primdb[i]][2] += tb34 * dir0[t->primda[i]][2];
-      dir0bd[t->primdb[i]][2] += tb34d * dir0[t->primda[i]][2] + tb34 * dir0d[t->primda[i]][2];
+      dir0b[t->primda[i]][0] += tb37 * dir0[t->primdb[i]][0];
+      dir0bd[t->primda[i]][0] += tb37d * dir0[t->primdb[i]][0] + tb37 * dir0d[t->primdb[i]][0];
+      dir0b[t->primdb[i]][0] += tb37 * dir0[t->primda[i]][0];
+      dir0bd[t->primdb[i]][0] += tb37d * dir0[t->primda[i]][0] + tb37 * dir0d[t->primda[i]][0];
+      dir0b[t->primda[i]][1] += tb37 * dir0[t->primdb[i]][1];
+      dir0bd[t->primda[i]][1] += tb37d * dir0[t->primdb[i]][1] + tb37 * dir0d[t->primdb[i]][1];
+      dir0b[t->primdb[i]][1] += tb37 * dir0[t->primda[i]][1];
+      dir0bd[t->primdb[i]][1] += tb37d * dir0[t->primda[i]][1] + tb37 * dir0d[t->primda[i]][1];
+      dir0b[t->primda[i]][2] += tb37 * dir0[t->primdb[i]][2];
+      dir0bd[t->primda[i]][2] += tb37d * dir0[t->primdb[i]][2] + tb37 * dir0d[t->primdb[i]][2];
+      dir0b[t->primdb[i]][2] += tb37 * dir0[t->primda[i]][2];
+      dir0bd[t->primdb[i]][2] += tb37d * dir0[t->primda[i]][2] + tb37 * dir0d[t->primda[i]][2];
     } else {
       prim0b[i] = 0.0;
       prim0bd[i] = 0.0;
@@ -1679,36 +1680,36 @@ void maggi_point_constants_b_d(const maggi_topo *t, const double p[restrict t->n
       t2d = a0d * a0 + a0 * a0d + (a1d * a1 + a1 * a1d) + (a2_2d * a2_2 + a2_2 * a2_2d);
       n3 = sqrt(t2);
       n3d = 1.0 / (2.0 * n3) * t2d;
-      tb9 = dir0b[i][2];
-      tb9d = dir0bd[i][2];
+      tb12 = dir0b[i][2];
+      tb12d = dir0bd[i][2];
       dir0b[i][2] = 0.0;
       dir0bd[i][2] = 0.0;
-      tb10 = tb9 / n3;
-      tb10d = (tb9d - tb10 * n3d) * (1.0 / n3);
-      a2_2b = tb10;
-      a2_2bd = tb10d;
-      n3b = -(tb10 * dir0[i][2]);
-      n3bd = -(tb10d * dir0[i][2] + tb10 * dir0d[i][2]);
-      tb7 = dir0b[i][1];
-      tb7d = dir0bd[i][1];
+      tb13 = tb12 / n3;
+      tb13d = (tb12d - tb13 * n3d) * (1.0 / n3);
+      a2_2b = tb13;
+      a2_2bd = tb13d;
+      n3b = -(tb13 * dir0[i][2]);
+      n3bd = -(tb13d * dir0[i][2] + tb13 * dir0d[i][2]);
+      tb10 = dir0b[i][1];
+      tb10d = dir0bd[i][1];
       dir0b[i][1] = 0.0;
       dir0bd[i][1] = 0.0;
-      tb8 = tb7 / n3;
-      tb8d = (tb7d - tb8 * n3d) * (1.0 / n3);
-      a1b = tb8;
-      a1bd = tb8d;
-      n3b -= tb8 * dir0[i][1];
-      n3bd -= tb8d * dir0[i][1] + tb8 * dir0d[i][1];
-      tb5 = dir0b[i][0];
-      tb5d = dir0bd[i][0];
+      tb11 = tb10 / n3;
+      tb11d = (tb10d - tb11 * n3d) * (1.0 / n3);
+      a1b = tb11;
+      a1bd = tb11d;
+      n3b -= tb11 * dir0[i][1];
+      n3bd -= tb11d * dir0[i][1] + tb11 * dir0d[i][1];
+      tb8 = dir0b[i][0];
+      tb8d = dir0bd[i][0];
       dir0b[i][0] = 0.0;
       dir0bd[i][0] = 0.0;
-      tb6 = tb5 / n3;
-      tb6d = (tb5d - tb6 * n3d) * (1.0 / n3);
-      a0b = tb6;
-      a0bd = tb6d;
-      n3b -= tb6 * dir0[i][0];
-      n3bd -= tb6d * dir0[i][0] + tb6 * dir0d[i][0];
+      tb9 = tb8 / n3;
+      tb9d = (tb8d - tb9 * n3d) * (1.0 / n3);
+      a0b = tb9;
+      a0bd = tb9d;
+      n3b -= tb9 * dir0[i][0];
+      n3bd -= tb9d * dir0[i][0] + tb9 * dir0d[i][0];
       t2b = n3b * (1.0 / (2.0 * n3));
       t2bd = n3bd * (1.0 / (2.0 * n3)) - n3b * (1.0 / (2.0 * n3) * (2.0 * n3d) / (2.0 * n3));
       a0b += t2b * a0;
@@ -1762,12 +1763,12 @@ void maggi_point_constants_b_d(const maggi_topo *t, const double p[restrict t->n
       t4d = a20d * a20 + a20 * a20d + (a21d * a21 + a21 * a21d) + (a22d * a22 + a22 * a22d);
       n5 = sqrt(t4);
       n5d = 1.0 / (2.0 * n5) * t4d;
-      c0 = a20 / n5;
-      c0d = (a20d - c0 * n5d) * (1.0 / n5);
-      c1 = a21 / n5;
-      c1d = (a21d - c1 * n5d) * (1.0 / n5);
-      c2_2 = a22 / n5;
-      c2_2d = (a22d - c2_2 * n5d) * (1.0 / n5);
+      c20 = a20 / n5;
+      c20d = (a20d - c20 * n5d) * (1.0 / n5);
+      c21 = a21 / n5;
+      c21d = (a21d - c21 * n5d) * (1.0 / n5);
+      c22 = a22 / n5;
+      c22d = (a22d - c22 * n5d) * (1.0 / n5);
       e0 = p[t->diradr[i]];
       e0d = pd[t->diradr[i]];
       e1 = p[t->diradr[i] + 1];
@@ -1784,103 +1785,103 @@ void maggi_point_constants_b_d(const maggi_topo *t, const double p[restrict t->n
       m1d = (e1d - m1 * n6d) * (1.0 / n6);
       m2 = e2 / n6;
       m2d = (e2d - m2 * n6d) * (1.0 / n6);
-      c2 = n20 * m0 + n21 * m1 + n22 * m2;
-      c2d = n20d * m0 + n20 * m0d + (n21d * m1 + n21 * m1d) + (n22d * m2 + n22 * m2d);
+      c3 = n20 * m0 + n21 * m1 + n22 * m2;
+      c3d = n20d * m0 + n20 * m0d + (n21d * m1 + n21 * m1d) + (n22d * m2 + n22 * m2d);
       s20 = n21 * m2 - n22 * m1;
       s20d = n21d * m2 + n21 * m2d - (n22d * m1 + n22 * m1d);
       s21 = n22 * m0 - n20 * m2;
       s21d = n22d * m0 + n22 * m0d - (n20d * m2 + n20 * m2d);
       s22 = n20 * m1 - n21 * m0;
       s22d = n20d * m1 + n20 * m1d - (n21d * m0 + n21 * m0d);
-      t6 = 1.0 + c2;
-      t6d = c2d;
-      f = (s20 * c0 + s21 * c1 + s22 * c2_2) / t6;
-      fd = (s20d * c0 + s20 * c0d + (s21d * c1 + s21 * c1d) + (s22d * c2_2 + s22 * c2_2d) - f * t6d)
-          * (1.0 / t6);
-      tb23 = dir0b[i][2];
-      tb23d = dir0bd[i][2];
+      t6 = 1.0 + c3;
+      t6d = c3d;
+      f = (s20 * c20 + s21 * c21 + s22 * c22) / t6;
+      fd = (s20d * c20 + s20 * c20d + (s21d * c21 + s21 * c21d) + (s22d * c22 + s22 * c22d) - f *
+          t6d) * (1.0 / t6);
+      tb26 = dir0b[i][2];
+      tb26d = dir0bd[i][2];
       dir0b[i][2] = 0.0;
       dir0bd[i][2] = 0.0;
-      c2b = tb23 * c2_2;
-      c2bd = tb23d * c2_2 + tb23 * c2_2d;
-      c2_2b = tb23 * c2;
-      c2_2bd = tb23d * c2 + tb23 * c2d;
-      sv2b = tb23;
-      sv2bd = tb23d;
-      fb = tb23 * s22;
-      fbd = tb23d * s22 + tb23 * s22d;
-      s22b = tb23 * f;
-      s22bd = tb23d * f + tb23 * fd;
-      tb22 = dir0b[i][1];
-      tb22d = dir0bd[i][1];
+      c3b = tb26 * c22;
+      c3bd = tb26d * c22 + tb26 * c22d;
+      c22b = tb26 * c3;
+      c22bd = tb26d * c3 + tb26 * c3d;
+      sv2b = tb26;
+      sv2bd = tb26d;
+      fb = tb26 * s22;
+      fbd = tb26d * s22 + tb26 * s22d;
+      s22b = tb26 * f;
+      s22bd = tb26d * f + tb26 * fd;
+      tb25 = dir0b[i][1];
+      tb25d = dir0bd[i][1];
       dir0b[i][1] = 0.0;
       dir0bd[i][1] = 0.0;
-      c2b += tb22 * c1;
-      c2bd += tb22d * c1 + tb22 * c1d;
-      c1b = tb22 * c2;
-      c1bd = tb22d * c2 + tb22 * c2d;
-      sv1b = tb22;
-      sv1bd = tb22d;
-      fb += tb22 * s21;
-      fbd += tb22d * s21 + tb22 * s21d;
-      s21b = tb22 * f;
-      s21bd = tb22d * f + tb22 * fd;
-      tb21 = dir0b[i][0];
-      tb21d = dir0bd[i][0];
+      c3b += tb25 * c21;
+      c3bd += tb25d * c21 + tb25 * c21d;
+      c21b = tb25 * c3;
+      c21bd = tb25d * c3 + tb25 * c3d;
+      sv1b = tb25;
+      sv1bd = tb25d;
+      fb += tb25 * s21;
+      fbd += tb25d * s21 + tb25 * s21d;
+      s21b = tb25 * f;
+      s21bd = tb25d * f + tb25 * fd;
+      tb24 = dir0b[i][0];
+      tb24d = dir0bd[i][0];
       dir0b[i][0] = 0.0;
       dir0bd[i][0] = 0.0;
-      c2b += tb21 * c0;
-      c2bd += tb21d * c0 + tb21 * c0d;
-      c0b = tb21 * c2;
-      c0bd = tb21d * c2 + tb21 * c2d;
-      sv0b = tb21;
-      sv0bd = tb21d;
-      fb += tb21 * s20;
-      fbd += tb21d * s20 + tb21 * s20d;
-      s20b = tb21 * f;
-      s20bd = tb21d * f + tb21 * fd;
-      tb20 = fb / t6;
-      tb20d = (fbd - tb20 * t6d) * (1.0 / t6);
-      s20b += tb20 * c0;
-      s20bd += tb20d * c0 + tb20 * c0d;
-      c0b += tb20 * s20;
-      c0bd += tb20d * s20 + tb20 * s20d;
-      s21b += tb20 * c1;
-      s21bd += tb20d * c1 + tb20 * c1d;
-      c1b += tb20 * s21;
-      c1bd += tb20d * s21 + tb20 * s21d;
-      s22b += tb20 * c2_2;
-      s22bd += tb20d * c2_2 + tb20 * c2_2d;
-      c2_2b += tb20 * s22;
-      c2_2bd += tb20d * s22 + tb20 * s22d;
-      t6b = -(tb20 * f);
-      t6bd = -(tb20d * f + tb20 * fd);
-      c2b += t6b;
-      c2bd += t6bd;
-      s20b += sv2b * c1;
-      s20bd += sv2bd * c1 + sv2b * c1d;
-      c1b += sv2b * s20;
-      c1bd += sv2bd * s20 + sv2b * s20d;
-      s21b -= sv2b * c0;
-      s21bd -= sv2bd * c0 + sv2b * c0d;
-      c0b -= sv2b * s21;
-      c0bd -= sv2bd * s21 + sv2b * s21d;
-      s22b += sv1b * c0;
-      s22bd += sv1bd * c0 + sv1b * c0d;
-      c0b += sv1b * s22;
-      c0bd += sv1bd * s22 + sv1b * s22d;
-      s20b -= sv1b * c2_2;
-      s20bd -= sv1bd * c2_2 + sv1b * c2_2d;
-      c2_2b -= sv1b * s20;
-      c2_2bd -= sv1bd * s20 + sv1b * s20d;
-      s21b += sv0b * c2_2;
-      s21bd += sv0bd * c2_2 + sv0b * c2_2d;
-      c2_2b += sv0b * s21;
-      c2_2bd += sv0bd * s21 + sv0b * s21d;
-      s22b -= sv0b * c1;
-      s22bd -= sv0bd * c1 + sv0b * c1d;
-      c1b -= sv0b * s22;
-      c1bd -= sv0bd * s22 + sv0b * s22d;
+      c3b += tb24 * c20;
+      c3bd += tb24d * c20 + tb24 * c20d;
+      c20b = tb24 * c3;
+      c20bd = tb24d * c3 + tb24 * c3d;
+      sv0b = tb24;
+      sv0bd = tb24d;
+      fb += tb24 * s20;
+      fbd += tb24d * s20 + tb24 * s20d;
+      s20b = tb24 * f;
+      s20bd = tb24d * f + tb24 * fd;
+      tb23 = fb / t6;
+      tb23d = (fbd - tb23 * t6d) * (1.0 / t6);
+      s20b += tb23 * c20;
+      s20bd += tb23d * c20 + tb23 * c20d;
+      c20b += tb23 * s20;
+      c20bd += tb23d * s20 + tb23 * s20d;
+      s21b += tb23 * c21;
+      s21bd += tb23d * c21 + tb23 * c21d;
+      c21b += tb23 * s21;
+      c21bd += tb23d * s21 + tb23 * s21d;
+      s22b += tb23 * c22;
+      s22bd += tb23d * c22 + tb23 * c22d;
+      c22b += tb23 * s22;
+      c22bd += tb23d * s22 + tb23 * s22d;
+      t6b = -(tb23 * f);
+      t6bd = -(tb23d * f + tb23 * fd);
+      c3b += t6b;
+      c3bd += t6bd;
+      s20b += sv2b * c21;
+      s20bd += sv2bd * c21 + sv2b * c21d;
+      c21b += sv2b * s20;
+      c21bd += sv2bd * s20 + sv2b * s20d;
+      s21b -= sv2b * c20;
+      s21bd -= sv2bd * c20 + sv2b * c20d;
+      c20b -= sv2b * s21;
+      c20bd -= sv2bd * s21 + sv2b * s21d;
+      s22b += sv1b * c20;
+      s22bd += sv1bd * c20 + sv1b * c20d;
+      c20b += sv1b * s22;
+      c20bd += sv1bd * s22 + sv1b * s22d;
+      s20b -= sv1b * c22;
+      s20bd -= sv1bd * c22 + sv1b * c22d;
+      c22b -= sv1b * s20;
+      c22bd -= sv1bd * s20 + sv1b * s20d;
+      s21b += sv0b * c22;
+      s21bd += sv0bd * c22 + sv0b * c22d;
+      c22b += sv0b * s21;
+      c22bd += sv0bd * s21 + sv0b * s21d;
+      s22b -= sv0b * c21;
+      s22bd -= sv0bd * c21 + sv0b * c21d;
+      c21b -= sv0b * s22;
+      c21bd -= sv0bd * s22 + sv0b * s22d;
       n20b = s22b * m1;
       n20bd = s22bd * m1 + s22b * m1d;
       m1b = s22b * n20;
@@ -1905,38 +1906,38 @@ void maggi_point_constants_b_d(const maggi_topo *t, const double p[restrict t->n
       n22bd -= s20bd * m1 + s20b * m1d;
       m1b -= s20b * n22;
       m1bd -= s20bd * n22 + s20b * n22d;
-      n20b += c2b * m0;
+      n20b += c3b * m0;
       /* v turned by the smallest turn that takes the unit vector n to the unit vector m:
        *   c v + s × v + s (s.v) / (1 + c),  c = n.m,  s = n × m */
-      n20bd += c2bd * m0 + c2b * m0d;
-      m0b += c2b * n20;
-      m0bd += c2bd * n20 + c2b * n20d;
-      n21b += c2b * m1;
-      n21bd += c2bd * m1 + c2b * m1d;
-      m1b += c2b * n21;
-      m1bd += c2bd * n21 + c2b * n21d;
-      n22b += c2b * m2;
-      n22bd += c2bd * m2 + c2b * m2d;
-      m2b += c2b * n22;
-      m2bd += c2bd * n22 + c2b * n22d;
-      tb19 = m2b / n6;
-      tb19d = (m2bd - tb19 * n6d) * (1.0 / n6);
-      e2b = tb19;
-      e2bd = tb19d;
-      n6b = -(tb19 * m2);
-      n6bd = -(tb19d * m2 + tb19 * m2d);
-      tb18 = m1b / n6;
-      tb18d = (m1bd - tb18 * n6d) * (1.0 / n6);
-      e1b = tb18;
-      e1bd = tb18d;
-      n6b -= tb18 * m1;
-      n6bd -= tb18d * m1 + tb18 * m1d;
-      tb17 = m0b / n6;
-      tb17d = (m0bd - tb17 * n6d) * (1.0 / n6);
-      e0b = tb17;
-      e0bd = tb17d;
-      n6b -= tb17 * m0;
-      n6bd -= tb17d * m0 + tb17 * m0d;
+      n20bd += c3bd * m0 + c3b * m0d;
+      m0b += c3b * n20;
+      m0bd += c3bd * n20 + c3b * n20d;
+      n21b += c3b * m1;
+      n21bd += c3bd * m1 + c3b * m1d;
+      m1b += c3b * n21;
+      m1bd += c3bd * n21 + c3b * n21d;
+      n22b += c3b * m2;
+      n22bd += c3bd * m2 + c3b * m2d;
+      m2b += c3b * n22;
+      m2bd += c3bd * n22 + c3b * n22d;
+      tb22 = m2b / n6;
+      tb22d = (m2bd - tb22 * n6d) * (1.0 / n6);
+      e2b = tb22;
+      e2bd = tb22d;
+      n6b = -(tb22 * m2);
+      n6bd = -(tb22d * m2 + tb22 * m2d);
+      tb21 = m1b / n6;
+      tb21d = (m1bd - tb21 * n6d) * (1.0 / n6);
+      e1b = tb21;
+      e1bd = tb21d;
+      n6b -= tb21 * m1;
+      n6bd -= tb21d * m1 + tb21 * m1d;
+      tb20 = m0b / n6;
+      tb20d = (m0bd - tb20 * n6d) * (1.0 / n6);
+      e0b = tb20;
+      e0bd = tb20d;
+      n6b -= tb20 * m0;
+      n6bd -= tb20d * m0 + tb20 * m0d;
       t5b = n6b * (1.0 / (2.0 * n6));
       t5bd = n6bd * (1.0 / (2.0 * n6)) - n6b * (1.0 / (2.0 * n6) * (2.0 * n6d) / (2.0 * n6));
       e0b += t5b * e0;
@@ -1957,24 +1958,24 @@ void maggi_point_constants_b_d(const maggi_topo *t, const double p[restrict t->n
       pbd[t->diradr[i] + 1] += e1bd;
       pb[t->diradr[i]] += e0b;
       pbd[t->diradr[i]] += e0bd;
-      tb16 = c2_2b / n5;
-      tb16d = (c2_2bd - tb16 * n5d) * (1.0 / n5);
-      a22b = tb16;
-      a22bd = tb16d;
-      n5b = -(tb16 * c2_2);
-      n5bd = -(tb16d * c2_2 + tb16 * c2_2d);
-      tb15 = c1b / n5;
-      tb15d = (c1bd - tb15 * n5d) * (1.0 / n5);
-      a21b = tb15;
-      a21bd = tb15d;
-      n5b -= tb15 * c1;
-      n5bd -= tb15d * c1 + tb15 * c1d;
-      tb14 = c0b / n5;
-      tb14d = (c0bd - tb14 * n5d) * (1.0 / n5);
-      a20b = tb14;
-      a20bd = tb14d;
-      n5b -= tb14 * c0;
-      n5bd -= tb14d * c0 + tb14 * c0d;
+      tb19 = c22b / n5;
+      tb19d = (c22bd - tb19 * n5d) * (1.0 / n5);
+      a22b = tb19;
+      a22bd = tb19d;
+      n5b = -(tb19 * c22);
+      n5bd = -(tb19d * c22 + tb19 * c22d);
+      tb18 = c21b / n5;
+      tb18d = (c21bd - tb18 * n5d) * (1.0 / n5);
+      a21b = tb18;
+      a21bd = tb18d;
+      n5b -= tb18 * c21;
+      n5bd -= tb18d * c21 + tb18 * c21d;
+      tb17 = c20b / n5;
+      tb17d = (c20bd - tb17 * n5d) * (1.0 / n5);
+      a20b = tb17;
+      a20bd = tb17d;
+      n5b -= tb17 * c20;
+      n5bd -= tb17d * c20 + tb17 * c20d;
       t4b = n5b * (1.0 / (2.0 * n5));
       t4bd = n5bd * (1.0 / (2.0 * n5)) - n5b * (1.0 / (2.0 * n5) * (2.0 * n5d) / (2.0 * n5));
       a20b += t4b * a20;
@@ -2008,24 +2009,24 @@ void maggi_point_constants_b_d(const maggi_topo *t, const double p[restrict t->n
       n21bd += sbd * w1;
       n22b += sb * w2;
       n22bd += sbd * w2;
-      tb13 = n22b / n4;
-      tb13d = (n22bd - tb13 * n4d) * (1.0 / n4);
-      a2_3b = tb13;
-      a2_3bd = tb13d;
-      n4b = -(tb13 * n22);
-      n4bd = -(tb13d * n22 + tb13 * n22d);
-      tb12 = n21b / n4;
-      tb12d = (n21bd - tb12 * n4d) * (1.0 / n4);
-      a1_2b = tb12;
-      a1_2bd = tb12d;
-      n4b -= tb12 * n21;
-      n4bd -= tb12d * n21 + tb12 * n21d;
-      tb11 = n20b / n4;
-      tb11d = (n20bd - tb11 * n4d) * (1.0 / n4);
-      a0_2b = tb11;
-      a0_2bd = tb11d;
-      n4b -= tb11 * n20;
-      n4bd -= tb11d * n20 + tb11 * n20d;
+      tb16 = n22b / n4;
+      tb16d = (n22bd - tb16 * n4d) * (1.0 / n4);
+      a2_3b = tb16;
+      a2_3bd = tb16d;
+      n4b = -(tb16 * n22);
+      n4bd = -(tb16d * n22 + tb16 * n22d);
+      tb15 = n21b / n4;
+      tb15d = (n21bd - tb15 * n4d) * (1.0 / n4);
+      a1_2b = tb15;
+      a1_2bd = tb15d;
+      n4b -= tb15 * n21;
+      n4bd -= tb15d * n21 + tb15 * n21d;
+      tb14 = n20b / n4;
+      tb14d = (n20bd - tb14 * n4d) * (1.0 / n4);
+      a0_2b = tb14;
+      a0_2bd = tb14d;
+      n4b -= tb14 * n20;
+      n4bd -= tb14d * n20 + tb14 * n20d;
       t3b = n4b * (1.0 / (2.0 * n4));
       t3bd = n4bd * (1.0 / (2.0 * n4)) - n4b * (1.0 / (2.0 * n4) * (2.0 * n4d) / (2.0 * n4));
       a0_2b += t3b * a0_2;
@@ -2092,18 +2093,18 @@ void maggi_point_constants_b_d(const maggi_topo *t, const double p[restrict t->n
       t8d = a30d * a30 + a30 * a30d + (a31d * a31 + a31 * a31d) + (a32d * a32 + a32 * a32d);
       n8 = sqrt(t8);
       n8d = 1.0 / (2.0 * n8) * t8d;
-      c0_2 = a30 / n8;
-      c0_2d = (a30d - c0_2 * n8d) * (1.0 / n8);
-      c1_2 = a31 / n8;
-      c1_2d = (a31d - c1_2 * n8d) * (1.0 / n8);
-      c2_3 = a32 / n8;
-      c2_3d = (a32d - c2_3 * n8d) * (1.0 / n8);
-      c0_2b = 0.0;
-      c0_2bd = 0.0;
-      c1_2b = 0.0;
-      c1_2bd = 0.0;
-      c2_3b = 0.0;
-      c2_3bd = 0.0;
+      c20_2 = a30 / n8;
+      c20_2d = (a30d - c20_2 * n8d) * (1.0 / n8);
+      c21_2 = a31 / n8;
+      c21_2d = (a31d - c21_2 * n8d) * (1.0 / n8);
+      c22_2 = a32 / n8;
+      c22_2d = (a32d - c22_2 * n8d) * (1.0 / n8);
+      c20_2b = 0.0;
+      c20_2bd = 0.0;
+      c21_2b = 0.0;
+      c21_2bd = 0.0;
+      c22_2b = 0.0;
+      c22_2bd = 0.0;
       n20_2b = 0.0;
       n20_2bd = 0.0;
       n21_2b = 0.0;
@@ -2111,74 +2112,74 @@ void maggi_point_constants_b_d(const maggi_topo *t, const double p[restrict t->n
       n22_2b = 0.0;
       n22_2bd = 0.0;
       if (t->dirkind[i] == MAGGI_DIR_ACROSS || t->dirkind[i] == MAGGI_DIR_ACROSS_GLOBAL) {
-        c2_3b += dir0b[i][2];
-        c2_3bd += dir0bd[i][2];
+        c22_2b += dir0b[i][2];
+        c22_2bd += dir0bd[i][2];
         dir0b[i][2] = 0.0;
         dir0bd[i][2] = 0.0;
-        c1_2b += dir0b[i][1];
-        c1_2bd += dir0bd[i][1];
+        c21_2b += dir0b[i][1];
+        c21_2bd += dir0bd[i][1];
         dir0b[i][1] = 0.0;
         dir0bd[i][1] = 0.0;
-        c0_2b += dir0b[i][0];
-        c0_2bd += dir0bd[i][0];
+        c20_2b += dir0b[i][0];
+        c20_2bd += dir0bd[i][0];
         dir0b[i][0] = 0.0;
         dir0bd[i][0] = 0.0;
       } else {
-        tb32 = dir0b[i][2];
-        tb32d = dir0bd[i][2];
+        tb35 = dir0b[i][2];
+        tb35d = dir0bd[i][2];
         dir0b[i][2] = 0.0;
         dir0bd[i][2] = 0.0;
-        n20_2b += tb32 * c1_2;
-        n20_2bd += tb32d * c1_2 + tb32 * c1_2d;
-        c1_2b += tb32 * n20_2;
-        c1_2bd += tb32d * n20_2 + tb32 * n20_2d;
-        n21_2b -= tb32 * c0_2;
-        n21_2bd -= tb32d * c0_2 + tb32 * c0_2d;
-        c0_2b -= tb32 * n21_2;
-        c0_2bd -= tb32d * n21_2 + tb32 * n21_2d;
-        tb31 = dir0b[i][1];
-        tb31d = dir0bd[i][1];
+        n20_2b += tb35 * c21_2;
+        n20_2bd += tb35d * c21_2 + tb35 * c21_2d;
+        c21_2b += tb35 * n20_2;
+        c21_2bd += tb35d * n20_2 + tb35 * n20_2d;
+        n21_2b -= tb35 * c20_2;
+        n21_2bd -= tb35d * c20_2 + tb35 * c20_2d;
+        c20_2b -= tb35 * n21_2;
+        c20_2bd -= tb35d * n21_2 + tb35 * n21_2d;
+        tb34 = dir0b[i][1];
+        tb34d = dir0bd[i][1];
         dir0b[i][1] = 0.0;
         dir0bd[i][1] = 0.0;
-        n22_2b += tb31 * c0_2;
-        n22_2bd += tb31d * c0_2 + tb31 * c0_2d;
-        c0_2b += tb31 * n22_2;
-        c0_2bd += tb31d * n22_2 + tb31 * n22_2d;
-        n20_2b -= tb31 * c2_3;
-        n20_2bd -= tb31d * c2_3 + tb31 * c2_3d;
-        c2_3b -= tb31 * n20_2;
-        c2_3bd -= tb31d * n20_2 + tb31 * n20_2d;
-        tb30 = dir0b[i][0];
-        tb30d = dir0bd[i][0];
+        n22_2b += tb34 * c20_2;
+        n22_2bd += tb34d * c20_2 + tb34 * c20_2d;
+        c20_2b += tb34 * n22_2;
+        c20_2bd += tb34d * n22_2 + tb34 * n22_2d;
+        n20_2b -= tb34 * c22_2;
+        n20_2bd -= tb34d * c22_2 + tb34 * c22_2d;
+        c22_2b -= tb34 * n20_2;
+        c22_2bd -= tb34d * n20_2 + tb34 * n20_2d;
+        tb33 = dir0b[i][0];
+        tb33d = dir0bd[i][0];
         dir0b[i][0] = 0.0;
         dir0bd[i][0] = 0.0;
-        n21_2b += tb30 * c2_3;
-        n21_2bd += tb30d * c2_3 + tb30 * c2_3d;
-        c2_3b += tb30 * n21_2;
-        c2_3bd += tb30d * n21_2 + tb30 * n21_2d;
-        n22_2b -= tb30 * c1_2;
-        n22_2bd -= tb30d * c1_2 + tb30 * c1_2d;
-        c1_2b -= tb30 * n22_2;
-        c1_2bd -= tb30d * n22_2 + tb30 * n22_2d;
+        n21_2b += tb33 * c22_2;
+        n21_2bd += tb33d * c22_2 + tb33 * c22_2d;
+        c22_2b += tb33 * n21_2;
+        c22_2bd += tb33d * n21_2 + tb33 * n21_2d;
+        n22_2b -= tb33 * c21_2;
+        n22_2bd -= tb33d * c21_2 + tb33 * c21_2d;
+        c21_2b -= tb33 * n22_2;
+        c21_2bd -= tb33d * n22_2 + tb33 * n22_2d;
       }
-      tb29 = c2_3b / n8;
-      tb29d = (c2_3bd - tb29 * n8d) * (1.0 / n8);
-      a32b = tb29;
-      a32bd = tb29d;
-      n8b = -(tb29 * c2_3);
-      n8bd = -(tb29d * c2_3 + tb29 * c2_3d);
-      tb28 = c1_2b / n8;
-      tb28d = (c1_2bd - tb28 * n8d) * (1.0 / n8);
-      a31b = tb28;
-      a31bd = tb28d;
-      n8b -= tb28 * c1_2;
-      n8bd -= tb28d * c1_2 + tb28 * c1_2d;
-      tb27 = c0_2b / n8;
-      tb27d = (c0_2bd - tb27 * n8d) * (1.0 / n8);
-      a30b = tb27;
-      a30bd = tb27d;
-      n8b -= tb27 * c0_2;
-      n8bd -= tb27d * c0_2 + tb27 * c0_2d;
+      tb32 = c22_2b / n8;
+      tb32d = (c22_2bd - tb32 * n8d) * (1.0 / n8);
+      a32b = tb32;
+      a32bd = tb32d;
+      n8b = -(tb32 * c22_2);
+      n8bd = -(tb32d * c22_2 + tb32 * c22_2d);
+      tb31 = c21_2b / n8;
+      tb31d = (c21_2bd - tb31 * n8d) * (1.0 / n8);
+      a31b = tb31;
+      a31bd = tb31d;
+      n8b -= tb31 * c21_2;
+      n8bd -= tb31d * c21_2 + tb31 * c21_2d;
+      tb30 = c20_2b / n8;
+      tb30d = (c20_2bd - tb30 * n8d) * (1.0 / n8);
+      a30b = tb30;
+      a30bd = tb30d;
+      n8b -= tb30 * c20_2;
+      n8bd -= tb30d * c20_2 + tb30 * c20_2d;
       t8b = n8b * (1.0 / (2.0 * n8));
       t8bd = n8bd * (1.0 / (2.0 * n8)) - n8b * (1.0 / (2.0 * n8) * (2.0 * n8d) / (2.0 * n8));
       a30b += t8b * a30;
@@ -2245,24 +2246,24 @@ void maggi_point_constants_b_d(const maggi_topo *t, const double p[restrict t->n
         w0_2b = 0.0;
         w0_2bd = 0.0;
       }
-      tb26 = n22_2b / n7;
-      tb26d = (n22_2bd - tb26 * n7d) * (1.0 / n7);
-      a2_4b = tb26;
-      a2_4bd = tb26d;
-      n7b = -(tb26 * n22_2);
-      n7bd = -(tb26d * n22_2 + tb26 * n22_2d);
-      tb25 = n21_2b / n7;
-      tb25d = (n21_2bd - tb25 * n7d) * (1.0 / n7);
-      a1_3b = tb25;
-      a1_3bd = tb25d;
-      n7b -= tb25 * n21_2;
-      n7bd -= tb25d * n21_2 + tb25 * n21_2d;
-      tb24 = n20_2b / n7;
-      tb24d = (n20_2bd - tb24 * n7d) * (1.0 / n7);
-      a0_3b = tb24;
-      a0_3bd = tb24d;
-      n7b -= tb24 * n20_2;
-      n7bd -= tb24d * n20_2 + tb24 * n20_2d;
+      tb29 = n22_2b / n7;
+      tb29d = (n22_2bd - tb29 * n7d) * (1.0 / n7);
+      a2_4b = tb29;
+      a2_4bd = tb29d;
+      n7b = -(tb29 * n22_2);
+      n7bd = -(tb29d * n22_2 + tb29 * n22_2d);
+      tb28 = n21_2b / n7;
+      tb28d = (n21_2bd - tb28 * n7d) * (1.0 / n7);
+      a1_3b = tb28;
+      a1_3bd = tb28d;
+      n7b -= tb28 * n21_2;
+      n7bd -= tb28d * n21_2 + tb28 * n21_2d;
+      tb27 = n20_2b / n7;
+      tb27d = (n20_2bd - tb27 * n7d) * (1.0 / n7);
+      a0_3b = tb27;
+      a0_3bd = tb27d;
+      n7b -= tb27 * n20_2;
+      n7bd -= tb27d * n20_2 + tb27 * n20_2d;
       t7b = n7b * (1.0 / (2.0 * n7));
       t7bd = n7bd * (1.0 / (2.0 * n7)) - n7b * (1.0 / (2.0 * n7) * (2.0 * n7d) / (2.0 * n7));
       a0_3b += t7b * a0_3;
@@ -2286,54 +2287,105 @@ void maggi_point_constants_b_d(const maggi_topo *t, const double p[restrict t->n
     }
   }
   for (i = t->npoint - 1; i >= 0; --i) {
-    adr = t->pointadr[i];
+    c2_2b = 0.0;
+    c2_2bd = 0.0;
     if (t->pointbody[i] == t->nbody) {
-      pb[adr + 2] += point0b[i][2];
-      pbd[adr + 2] += point0bd[i][2];
+      c2_2b += point0b[i][2];
+      c2_2bd += point0bd[i][2];
       point0b[i][2] = 0.0;
       point0bd[i][2] = 0.0;
     } else {
       ref3 = t->jpointadr[t->pointbody[i]];
-      tb4 = point0b[i][2];
-      tb4d = point0bd[i][2];
+      tb7 = point0b[i][2];
+      tb7d = point0bd[i][2];
       point0b[i][2] = 0.0;
       point0bd[i][2] = 0.0;
-      pb[adr + 2] += tb4;
-      pbd[adr + 2] += tb4d;
-      pb[ref3 + 2] -= tb4;
-      pbd[ref3 + 2] -= tb4d;
+      c2_2b += tb7;
+      c2_2bd += tb7d;
+      pb[ref3 + 2] -= tb7;
+      pbd[ref3 + 2] -= tb7d;
     }
+    c1b = 0.0;
+    c1bd = 0.0;
     if (t->pointbody[i] == t->nbody) {
-      pb[adr + 1] += point0b[i][1];
-      pbd[adr + 1] += point0bd[i][1];
+      c1b += point0b[i][1];
+      c1bd += point0bd[i][1];
       point0b[i][1] = 0.0;
       point0bd[i][1] = 0.0;
     } else {
       ref2 = t->jpointadr[t->pointbody[i]];
-      tb3 = point0b[i][1];
-      tb3d = point0bd[i][1];
+      tb6 = point0b[i][1];
+      tb6d = point0bd[i][1];
       point0b[i][1] = 0.0;
       point0bd[i][1] = 0.0;
-      pb[adr + 1] += tb3;
-      pbd[adr + 1] += tb3d;
-      pb[ref2 + 1] -= tb3;
-      pbd[ref2 + 1] -= tb3d;
+      c1b += tb6;
+      c1bd += tb6d;
+      pb[ref2 + 1] -= tb6;
+      pbd[ref2 + 1] -= tb6d;
     }
+    c0b = 0.0;
+    c0bd = 0.0;
     if (t->pointbody[i] == t->nbody) {
-      pb[adr] += point0b[i][0];
-      pbd[adr] += point0bd[i][0];
+      c0b += point0b[i][0];
+      c0bd += point0bd[i][0];
       point0b[i][0] = 0.0;
       point0bd[i][0] = 0.0;
     } else {
       ref = t->jpointadr[t->pointbody[i]];
-      tb2 = point0b[i][0];
-      tb2d = point0bd[i][0];
+      tb5 = point0b[i][0];
+      tb5d = point0bd[i][0];
       point0b[i][0] = 0.0;
       point0bd[i][0] = 0.0;
-      pb[adr] += tb2;
-      pbd[adr] += tb2d;
-      pb[ref] -= tb2;
-      pbd[ref] -= tb2d;
+      c0b += tb5;
+      c0bd += tb5d;
+      pb[ref] -= tb5;
+      pbd[ref] -= tb5d;
+    }
+    if (t->pointadr2[i] >= 0) {
+      tb4 = c2_2b * 0.5;
+      tb4d = c2_2bd * 0.5;
+      pb[t->pointadr[i] + 2] += tb4;
+      pbd[t->pointadr[i] + 2] += tb4d;
+      pb[t->pointadr2[i] + 2] += tb4;
+      pbd[t->pointadr2[i] + 2] += tb4d;
+      c2_2b = 0.0;
+      c2_2bd = 0.0;
+    } else {
+      pb[t->pointadr[i] + 2] += c2_2b;
+      pbd[t->pointadr[i] + 2] += c2_2bd;
+      c2_2b = 0.0;
+      c2_2bd = 0.0;
+    }
+    if (t->pointadr2[i] >= 0) {
+      tb3 = c1b * 0.5;
+      tb3d = c1bd * 0.5;
+      pb[t->pointadr[i] + 1] += tb3;
+      pbd[t->pointadr[i] + 1] += tb3d;
+      pb[t->pointadr2[i] + 1] += tb3;
+      pbd[t->pointadr2[i] + 1] += tb3d;
+      c1b = 0.0;
+      c1bd = 0.0;
+    } else {
+      pb[t->pointadr[i] + 1] += c1b;
+      pbd[t->pointadr[i] + 1] += c1bd;
+      c1b = 0.0;
+      c1bd = 0.0;
+    }
+    /* of a point, or the middle between two when the second address is not -1 */
+    if (t->pointadr2[i] >= 0) {
+      tb2 = c0b * 0.5;
+      tb2d = c0bd * 0.5;
+      pb[t->pointadr[i]] += tb2;
+      pbd[t->pointadr[i]] += tb2d;
+      pb[t->pointadr2[i]] += tb2;
+      pbd[t->pointadr2[i]] += tb2d;
+      c0b = 0.0;
+      c0bd = 0.0;
+    } else {
+      pb[t->pointadr[i]] += c0b;
+      pbd[t->pointadr[i]] += c0bd;
+      c0b = 0.0;
+      c0bd = 0.0;
     }
   }
 }

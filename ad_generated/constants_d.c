@@ -405,38 +405,53 @@ void maggi_point_constants_d(const maggi_topo *t, const double p[restrict t->np]
                              double spring0[restrict t->nspring],
                              double spring0d[restrict t->nspring])
 {
-  int adr, i, ref, ref2, ref3;
+  int i, ref, ref2, ref3;
   double a0, a0_2, a0_2d, a0_3, a0_3d, a0d, a1, a1_2, a1_2d, a1_3, a1_3d, a1d, a20, a20d, a21, a21d,
-      a22, a22d, a2_2, a2_2d, a2_3, a2_3d, a2_4, a2_4d, a30, a30d, a31, a31d, a32, a32d, c0, c0_2,
-      c0_2d, c0d, c1, c10, c1_2, c1_2d, c1d, c2, c2_2, c2_2d, c2_3, c2_3d, c2d, c3, c4, c5, c6, c7,
-      c8, c9, e0, e0d, e1, e1d, e2, e2d, f, fd, m0, m0d, m1, m1d, m2, m2d, n20, n20_2, n20_2d, n20d,
-      n21, n21_2, n21_2d, n21d, n22, n22_2, n22_2d, n22d, n3, n3d, n3inv, n4, n4d, n4inv, n5, n5d,
-      n5inv, n6, n6d, n6inv, n7, n7d, n7inv, n8, n8d, n8inv, s, s20, s20d, s21, s21d, s22, s22d, s3,
-      s3d, sd, sv0d, sv1d, sv2d, t10d, t2, t2d, t3, t3d, t4, t4d, t5, t5d, t6, t6d, t6inv, t7, t7d,
-      t8, t8d, t9d, w0, w0_2, w0_2d, w1, w1_2, w1_2d, w2, w2_2, w2_2d, x, x2, x2d, xd, y, y2, y2d,
-      yd, z, z2, z2d, zd;
+      a22, a22d, a2_2, a2_2d, a2_3, a2_3d, a2_4, a2_4d, a30, a30d, a31, a31d, a32, a32d, c0d, c10,
+      c11, c1d, c20, c20_2, c20_2d, c20d, c21, c21_2, c21_2d, c21d, c22, c22_2, c22_2d, c22d, c2_2d,
+      c3, c3d, c4, c5, c6, c7, c8, c9, e0, e0d, e1, e1d, e2, e2d, f, fd, m0, m0d, m1, m1d, m2, m2d,
+      n20, n20_2, n20_2d, n20d, n21, n21_2, n21_2d, n21d, n22, n22_2, n22_2d, n22d, n3, n3d, n3inv,
+      n4, n4d, n4inv, n5, n5d, n5inv, n6, n6d, n6inv, n7, n7d, n7inv, n8, n8d, n8inv, s, s20, s20d,
+      s21, s21d, s22, s22d, s3, s3d, sd, sv0d, sv1d, sv2d, t10d, t2, t2d, t3, t3d, t4, t4d, t5, t5d,
+      t6, t6d, t6inv, t7, t7d, t8, t8d, t9d, w0, w0_2, w0_2d, w1, w1_2, w1_2d, w2, w2_2, w2_2d, x,
+      x2, x2d, xd, y, y2, y2d, yd, z, z2, z2d, zd;
 
   (void)origin;
   (void)point0;
   for (i = 0; i < t->npoint; ++i) {
-    adr = t->pointadr[i];
+    /* of a point, or the middle between two when the second address is not -1 */
+    if (t->pointadr2[i] >= 0) {
+      c0d = 0.5 * (pd[t->pointadr[i]] + pd[t->pointadr2[i]]);
+    } else {
+      c0d = pd[t->pointadr[i]];
+    }
+    if (t->pointadr2[i] >= 0) {
+      c1d = 0.5 * (pd[t->pointadr[i] + 1] + pd[t->pointadr2[i] + 1]);
+    } else {
+      c1d = pd[t->pointadr[i] + 1];
+    }
+    if (t->pointadr2[i] >= 0) {
+      c2_2d = 0.5 * (pd[t->pointadr[i] + 2] + pd[t->pointadr2[i] + 2]);
+    } else {
+      c2_2d = pd[t->pointadr[i] + 2];
+    }
     if (t->pointbody[i] == t->nbody) {
-      point0d[i][0] = pd[adr];
+      point0d[i][0] = c0d;
     } else {
       ref = t->jpointadr[t->pointbody[i]];
-      point0d[i][0] = pd[adr] - pd[ref];
+      point0d[i][0] = c0d - pd[ref];
     }
     if (t->pointbody[i] == t->nbody) {
-      point0d[i][1] = pd[adr + 1];
+      point0d[i][1] = c1d;
     } else {
       ref2 = t->jpointadr[t->pointbody[i]];
-      point0d[i][1] = pd[adr + 1] - pd[ref2 + 1];
+      point0d[i][1] = c1d - pd[ref2 + 1];
     }
     if (t->pointbody[i] == t->nbody) {
-      point0d[i][2] = pd[adr + 2];
+      point0d[i][2] = c2_2d;
     } else {
       ref3 = t->jpointadr[t->pointbody[i]];
-      point0d[i][2] = pd[adr + 2] - pd[ref3 + 2];
+      point0d[i][2] = c2_2d - pd[ref3 + 2];
     }
   }
   for (i = 0; i < t->ndir; ++i) {
@@ -454,8 +469,8 @@ void maggi_point_constants_d(const maggi_topo *t, const double p[restrict t->np]
       t2 = a0 * a0 + a1 * a1 + a2_2 * a2_2;
       t2d = a0d * a0 + a0 * a0d + (a1d * a1 + a1 * a1d) + (a2_2d * a2_2 + a2_2 * a2_2d);
       n3 = sqrt(t2);
-      c3 = 1.0 / (2.0 * n3);
-      n3d = c3 * t2d;
+      c4 = 1.0 / (2.0 * n3);
+      n3d = c4 * t2d;
       n3inv = 1.0 / n3;
       dir0d[i][0] = (a0d - dir0[i][0] * n3d) * n3inv;
       dir0d[i][1] = (a1d - dir0[i][1] * n3d) * n3inv;
@@ -471,8 +486,8 @@ void maggi_point_constants_d(const maggi_topo *t, const double p[restrict t->np]
       t3d = a0_2d * a0_2 + a0_2 * a0_2d + (a1_2d * a1_2 + a1_2 * a1_2d) + (a2_3d * a2_3 + a2_3 *
           a2_3d);
       n4 = sqrt(t3);
-      c4 = 1.0 / (2.0 * n4);
-      n4d = c4 * t3d;
+      c5 = 1.0 / (2.0 * n4);
+      n4d = c5 * t3d;
       n20 = a0_2 / n4;
       n4inv = 1.0 / n4;
       n20d = (a0_2d - n20 * n4d) * n4inv;
@@ -495,15 +510,15 @@ void maggi_point_constants_d(const maggi_topo *t, const double p[restrict t->np]
       t4 = a20 * a20 + a21 * a21 + a22 * a22;
       t4d = a20d * a20 + a20 * a20d + (a21d * a21 + a21 * a21d) + (a22d * a22 + a22 * a22d);
       n5 = sqrt(t4);
-      c5 = 1.0 / (2.0 * n5);
-      n5d = c5 * t4d;
-      c0 = a20 / n5;
+      c6 = 1.0 / (2.0 * n5);
+      n5d = c6 * t4d;
+      c20 = a20 / n5;
       n5inv = 1.0 / n5;
-      c0d = (a20d - c0 * n5d) * n5inv;
-      c1 = a21 / n5;
-      c1d = (a21d - c1 * n5d) * n5inv;
-      c2_2 = a22 / n5;
-      c2_2d = (a22d - c2_2 * n5d) * n5inv;
+      c20d = (a20d - c20 * n5d) * n5inv;
+      c21 = a21 / n5;
+      c21d = (a21d - c21 * n5d) * n5inv;
+      c22 = a22 / n5;
+      c22d = (a22d - c22 * n5d) * n5inv;
       e0 = p[t->diradr[i]];
       e0d = pd[t->diradr[i]];
       e1 = p[t->diradr[i] + 1];
@@ -513,8 +528,8 @@ void maggi_point_constants_d(const maggi_topo *t, const double p[restrict t->np]
       t5 = e0 * e0 + e1 * e1 + e2 * e2;
       t5d = e0d * e0 + e0 * e0d + (e1d * e1 + e1 * e1d) + (e2d * e2 + e2 * e2d);
       n6 = sqrt(t5);
-      c6 = 1.0 / (2.0 * n6);
-      n6d = c6 * t5d;
+      c7 = 1.0 / (2.0 * n6);
+      n6d = c7 * t5d;
       m0 = e0 / n6;
       n6inv = 1.0 / n6;
       m0d = (e0d - m0 * n6d) * n6inv;
@@ -522,28 +537,28 @@ void maggi_point_constants_d(const maggi_topo *t, const double p[restrict t->np]
       m1d = (e1d - m1 * n6d) * n6inv;
       m2 = e2 / n6;
       m2d = (e2d - m2 * n6d) * n6inv;
-      c2 = n20 * m0 + n21 * m1 + n22 * m2;
+      c3 = n20 * m0 + n21 * m1 + n22 * m2;
       /* v turned by the smallest turn that takes the unit vector n to the unit vector m:
        *   c v + s × v + s (s.v) / (1 + c),  c = n.m,  s = n × m */
-      c2d = n20d * m0 + n20 * m0d + (n21d * m1 + n21 * m1d) + (n22d * m2 + n22 * m2d);
+      c3d = n20d * m0 + n20 * m0d + (n21d * m1 + n21 * m1d) + (n22d * m2 + n22 * m2d);
       s20 = n21 * m2 - n22 * m1;
       s20d = n21d * m2 + n21 * m2d - (n22d * m1 + n22 * m1d);
       s21 = n22 * m0 - n20 * m2;
       s21d = n22d * m0 + n22 * m0d - (n20d * m2 + n20 * m2d);
       s22 = n20 * m1 - n21 * m0;
       s22d = n20d * m1 + n20 * m1d - (n21d * m0 + n21 * m0d);
-      sv0d = s21d * c2_2 + s21 * c2_2d - (s22d * c1 + s22 * c1d);
-      sv1d = s22d * c0 + s22 * c0d - (s20d * c2_2 + s20 * c2_2d);
-      sv2d = s20d * c1 + s20 * c1d - (s21d * c0 + s21 * c0d);
-      t6 = 1.0 + c2;
-      t6d = c2d;
-      f = (s20 * c0 + s21 * c1 + s22 * c2_2) / t6;
+      sv0d = s21d * c22 + s21 * c22d - (s22d * c21 + s22 * c21d);
+      sv1d = s22d * c20 + s22 * c20d - (s20d * c22 + s20 * c22d);
+      sv2d = s20d * c21 + s20 * c21d - (s21d * c20 + s21 * c20d);
+      t6 = 1.0 + c3;
+      t6d = c3d;
+      f = (s20 * c20 + s21 * c21 + s22 * c22) / t6;
       t6inv = 1.0 / t6;
-      fd = (s20d * c0 + s20 * c0d + (s21d * c1 + s21 * c1d) + (s22d * c2_2 + s22 * c2_2d) - f * t6d)
-          * t6inv;
-      dir0d[i][0] = c2d * c0 + c2 * c0d + sv0d + (fd * s20 + f * s20d);
-      dir0d[i][1] = c2d * c1 + c2 * c1d + sv1d + (fd * s21 + f * s21d);
-      dir0d[i][2] = c2d * c2_2 + c2 * c2_2d + sv2d + (fd * s22 + f * s22d);
+      fd = (s20d * c20 + s20 * c20d + (s21d * c21 + s21 * c21d) + (s22d * c22 + s22 * c22d) - f *
+          t6d) * t6inv;
+      dir0d[i][0] = c3d * c20 + c3 * c20d + sv0d + (fd * s20 + f * s20d);
+      dir0d[i][1] = c3d * c21 + c3 * c21d + sv1d + (fd * s21 + f * s21d);
+      dir0d[i][2] = c3d * c22 + c3 * c22d + sv2d + (fd * s22 + f * s22d);
     } else {
       a0_3 = p[t->diradr[i]];
       a0_3d = pd[t->diradr[i]];
@@ -555,8 +570,8 @@ void maggi_point_constants_d(const maggi_topo *t, const double p[restrict t->np]
       t7d = a0_3d * a0_3 + a0_3 * a0_3d + (a1_3d * a1_3 + a1_3 * a1_3d) + (a2_4d * a2_4 + a2_4 *
           a2_4d);
       n7 = sqrt(t7);
-      c7 = 1.0 / (2.0 * n7);
-      n7d = c7 * t7d;
+      c8 = 1.0 / (2.0 * n7);
+      n7d = c8 * t7d;
       n20_2 = a0_3 / n7;
       n7inv = 1.0 / n7;
       n20_2d = (a0_3d - n20_2 * n7d) * n7inv;
@@ -592,23 +607,23 @@ void maggi_point_constants_d(const maggi_topo *t, const double p[restrict t->np]
       t8 = a30 * a30 + a31 * a31 + a32 * a32;
       t8d = a30d * a30 + a30 * a30d + (a31d * a31 + a31 * a31d) + (a32d * a32 + a32 * a32d);
       n8 = sqrt(t8);
-      c8 = 1.0 / (2.0 * n8);
-      n8d = c8 * t8d;
-      c0_2 = a30 / n8;
+      c9 = 1.0 / (2.0 * n8);
+      n8d = c9 * t8d;
+      c20_2 = a30 / n8;
       n8inv = 1.0 / n8;
-      c0_2d = (a30d - c0_2 * n8d) * n8inv;
-      c1_2 = a31 / n8;
-      c1_2d = (a31d - c1_2 * n8d) * n8inv;
-      c2_3 = a32 / n8;
-      c2_3d = (a32d - c2_3 * n8d) * n8inv;
+      c20_2d = (a30d - c20_2 * n8d) * n8inv;
+      c21_2 = a31 / n8;
+      c21_2d = (a31d - c21_2 * n8d) * n8inv;
+      c22_2 = a32 / n8;
+      c22_2d = (a32d - c22_2 * n8d) * n8inv;
       if (t->dirkind[i] == MAGGI_DIR_ACROSS || t->dirkind[i] == MAGGI_DIR_ACROSS_GLOBAL) {
-        dir0d[i][0] = c0_2d;
-        dir0d[i][1] = c1_2d;
-        dir0d[i][2] = c2_3d;
+        dir0d[i][0] = c20_2d;
+        dir0d[i][1] = c21_2d;
+        dir0d[i][2] = c22_2d;
       } else {
-        dir0d[i][0] = n21_2d * c2_3 + n21_2 * c2_3d - (n22_2d * c1_2 + n22_2 * c1_2d);
-        dir0d[i][1] = n22_2d * c0_2 + n22_2 * c0_2d - (n20_2d * c2_3 + n20_2 * c2_3d);
-        dir0d[i][2] = n20_2d * c1_2 + n20_2 * c1_2d - (n21_2d * c0_2 + n21_2 * c0_2d);
+        dir0d[i][0] = n21_2d * c22_2 + n21_2 * c22_2d - (n22_2d * c21_2 + n22_2 * c21_2d);
+        dir0d[i][1] = n22_2d * c20_2 + n22_2 * c20_2d - (n20_2d * c22_2 + n20_2 * c22_2d);
+        dir0d[i][2] = n20_2d * c21_2 + n20_2 * c21_2d - (n21_2d * c20_2 + n21_2 * c20_2d);
       }
     }
   }
@@ -623,8 +638,8 @@ void maggi_point_constants_d(const maggi_topo *t, const double p[restrict t->np]
       z = p[t->pointadr[t->primpa[i]] + 2] - p[t->pointadr[t->primpb[i]] + 2];
       zd = pd[t->pointadr[t->primpa[i]] + 2] - pd[t->pointadr[t->primpb[i]] + 2];
       t9d = xd * x + x * xd + (yd * y + y * yd) + (zd * z + z * zd);
-      c9 = 1.0 / (2.0 * prim0[i]);
-      prim0d[i] = c9 * t9d;
+      c10 = 1.0 / (2.0 * prim0[i]);
+      prim0d[i] = c10 * t9d;
     } else if (t->primkind[i] == MAGGI_PRIM_ANGLE && t->primadr[i] == -1) {
       prim0d[i] = dir0d[t->primda[i]][0] * dir0[t->primdb[i]][0] + dir0[t->primda[i]][0] *
           dir0d[t->primdb[i]][0] + (dir0d[t->primda[i]][1] * dir0[t->primdb[i]][1] +
@@ -642,7 +657,7 @@ void maggi_point_constants_d(const maggi_topo *t, const double p[restrict t->np]
     z2 = p[t->pointadr[t->springpa[i]] + 2] - p[t->pointadr[t->springpb[i]] + 2];
     z2d = pd[t->pointadr[t->springpa[i]] + 2] - pd[t->pointadr[t->springpb[i]] + 2];
     t10d = x2d * x2 + x2 * x2d + (y2d * y2 + y2 * y2d) + (z2d * z2 + z2 * z2d);
-    c10 = 1.0 / (2.0 * spring0[i]);
-    spring0d[i] = c10 * t10d;
+    c11 = 1.0 / (2.0 * spring0[i]);
+    spring0d[i] = c11 * t10d;
   }
 }

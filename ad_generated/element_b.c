@@ -28,7 +28,7 @@ void maggi_element_forces_b(const maggi_topo *t, const double p[restrict t->np],
       r_a1b, r_a2, r_a2b, r_b0, r_b0b, r_b1, r_b1b, r_b2, r_b2b, r_i0, r_i0b, r_i1, r_i1b, r_i2,
       r_i2b, s, sb, speed, speedb, t2, t2b, t3, t3b, tb10, tb11, tb12, tb13, tb14, tb15, tb16, tb17,
       tb18, tb19, tb2, tb20, tb21, tb22, tb23, tb24, tb25, tb26, tb27, tb3, tb4, tb5, tb6, tb7, tb8,
-      tb9, torqueb, u0, u0b, u1, u1b, u20, u20b, u21, u21b, u22, u22b, u2_2, u2_2b, z, zb, zv, zvb;
+      tb9, torque0b, u0, u0b, u1, u1b, u20, u20b, u21, u21b, u22, u22b, u2_2, u2_2b, x, xb, xv, xvb;
 
   (void)Z;
   (void)Zb;
@@ -242,36 +242,36 @@ void maggi_element_forces_b(const maggi_topo *t, const double p[restrict t->np],
     b2 = t->jspringq2[i];
     adr = t->jspringadr[i];
     if (b2 >= 0) {
-      z = q[a2] - q[b2];
-      zv = v[a2] - v[b2];
+      x = q[a2] - q[b2];
+      xv = v[a2] - v[b2];
     } else {
-      z = q[a2];
-      zv = v[a2];
+      x = q[a2];
+      xv = v[a2];
     }
-    torqueb = 0.0;
+    torque0b = 0.0;
     if (b2 >= 0) {
-      torqueb -= taub[b2];
+      torque0b -= taub[b2];
     }
-    torqueb += taub[a2];
-    pb[adr] -= torqueb * (z - p[adr + MAGGI_JSPRING_REST]);
-    tb15 = torqueb * p[adr];
-    zb = -tb15;
+    torque0b += taub[a2];
+    pb[adr] -= torque0b * (x - p[adr + MAGGI_JSPRING_REST]);
+    tb15 = torque0b * p[adr];
+    xb = -tb15;
     pb[adr + MAGGI_JSPRING_REST] += tb15;
-    pb[adr + MAGGI_JSPRING_C] -= torqueb * zv;
-    zvb = -(torqueb * p[adr + MAGGI_JSPRING_C]);
-    pb[adr + MAGGI_JSPRING_PRELOAD] -= torqueb;
+    pb[adr + MAGGI_JSPRING_C] -= torque0b * xv;
+    xvb = -(torque0b * p[adr + MAGGI_JSPRING_C]);
+    pb[adr + MAGGI_JSPRING_PRELOAD] -= torque0b;
     if (b2 >= 0) {
-      vb[a2] += zvb;
-      vb[b2] -= zvb;
-      zvb = 0.0;
-      qb[a2] += zb;
-      qb[b2] -= zb;
-      zb = 0.0;
+      vb[a2] += xvb;
+      vb[b2] -= xvb;
+      xvb = 0.0;
+      qb[a2] += xb;
+      qb[b2] -= xb;
+      xb = 0.0;
     } else {
-      vb[a2] += zvb;
-      zvb = 0.0;
-      qb[a2] += zb;
-      zb = 0.0;
+      vb[a2] += xvb;
+      xvb = 0.0;
+      qb[a2] += xb;
+      xb = 0.0;
     }
   }
   for (i = t->nspring - 1; i >= 0; --i) {
@@ -476,7 +476,6 @@ void maggi_element_forces_b(const maggi_topo *t, const double p[restrict t->np],
     rb[b][1] -= e1b;
     rvb[a][0] += ev0b;
     rvb[b][0] -= ev0b;
-    /* u from b to a; elastic and damping force, tension positive */
     rb[a][0] += e0b;
     rb[b][0] -= e0b;
   }

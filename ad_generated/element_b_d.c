@@ -54,9 +54,9 @@ void maggi_element_forces_b_d(const maggi_topo *t, const double p[restrict t->np
       tb10d, tb11, tb11d, tb12, tb12d, tb13, tb13d, tb14, tb14d, tb15, tb15d, tb16, tb16d, tb17,
       tb17d, tb18, tb18d, tb19, tb19d, tb2, tb20, tb20d, tb21, tb21d, tb22, tb22d, tb23, tb23d,
       tb24, tb24d, tb25, tb25d, tb26, tb26d, tb27, tb27d, tb2d, tb3, tb3d, tb4, tb4d, tb5, tb5d,
-      tb6, tb6d, tb7, tb7d, tb8, tb8d, tb9, tb9d, torqueb, torquebd, u0, u0b, u0bd, u0d, u1, u1b,
+      tb6, tb6d, tb7, tb7d, tb8, tb8d, tb9, tb9d, torque0b, torque0bd, u0, u0b, u0bd, u0d, u1, u1b,
       u1bd, u1d, u20, u20b, u20bd, u20d, u21, u21b, u21bd, u21d, u22, u22b, u22bd, u22d, u2_2,
-      u2_2b, u2_2bd, u2_2d, z, zb, zbd, zd, zv, zvb, zvbd, zvd;
+      u2_2b, u2_2bd, u2_2d, x, xb, xbd, xd, xv, xvb, xvbd, xvd;
 
   (void)Z;
   (void)Zd;
@@ -460,61 +460,61 @@ void maggi_element_forces_b_d(const maggi_topo *t, const double p[restrict t->np
     b2 = t->jspringq2[i];
     adr = t->jspringadr[i];
     if (b2 >= 0) {
-      z = q[a2] - q[b2];
-      zd = qd[a2] - qd[b2];
-      zv = v[a2] - v[b2];
-      zvd = vd[a2] - vd[b2];
+      x = q[a2] - q[b2];
+      xd = qd[a2] - qd[b2];
+      xv = v[a2] - v[b2];
+      xvd = vd[a2] - vd[b2];
     } else {
-      z = q[a2];
-      zd = qd[a2];
-      zv = v[a2];
-      zvd = vd[a2];
+      x = q[a2];
+      xd = qd[a2];
+      xv = v[a2];
+      xvd = vd[a2];
     }
-    torqueb = 0.0;
-    torquebd = 0.0;
+    torque0b = 0.0;
+    torque0bd = 0.0;
     if (b2 >= 0) {
-      torqueb -= taub[b2];
-      torquebd -= taubd[b2];
+      torque0b -= taub[b2];
+      torque0bd -= taubd[b2];
     }
-    torqueb += taub[a2];
-    torquebd += taubd[a2];
-    pb[adr] -= torqueb * (z - p[adr + MAGGI_JSPRING_REST]);
-    pbd[adr] -= torquebd * (z - p[adr + MAGGI_JSPRING_REST]) + torqueb * (zd - pd[adr +
+    torque0b += taub[a2];
+    torque0bd += taubd[a2];
+    pb[adr] -= torque0b * (x - p[adr + MAGGI_JSPRING_REST]);
+    pbd[adr] -= torque0bd * (x - p[adr + MAGGI_JSPRING_REST]) + torque0b * (xd - pd[adr +
         MAGGI_JSPRING_REST]);
-    tb15 = torqueb * p[adr];
-    tb15d = torquebd * p[adr] + torqueb * pd[adr];
-    zb = -tb15;
-    zbd = -tb15d;
+    tb15 = torque0b * p[adr];
+    tb15d = torque0bd * p[adr] + torque0b * pd[adr];
+    xb = -tb15;
+    xbd = -tb15d;
     pb[adr + MAGGI_JSPRING_REST] += tb15;
     pbd[adr + MAGGI_JSPRING_REST] += tb15d;
-    pb[adr + MAGGI_JSPRING_C] -= torqueb * zv;
-    pbd[adr + MAGGI_JSPRING_C] -= torquebd * zv + torqueb * zvd;
-    zvb = -(torqueb * p[adr + MAGGI_JSPRING_C]);
-    zvbd = -(torquebd * p[adr + MAGGI_JSPRING_C] + torqueb * pd[adr + MAGGI_JSPRING_C]);
-    pb[adr + MAGGI_JSPRING_PRELOAD] -= torqueb;
-    pbd[adr + MAGGI_JSPRING_PRELOAD] -= torquebd;
+    pb[adr + MAGGI_JSPRING_C] -= torque0b * xv;
+    pbd[adr + MAGGI_JSPRING_C] -= torque0bd * xv + torque0b * xvd;
+    xvb = -(torque0b * p[adr + MAGGI_JSPRING_C]);
+    xvbd = -(torque0bd * p[adr + MAGGI_JSPRING_C] + torque0b * pd[adr + MAGGI_JSPRING_C]);
+    pb[adr + MAGGI_JSPRING_PRELOAD] -= torque0b;
+    pbd[adr + MAGGI_JSPRING_PRELOAD] -= torque0bd;
     if (b2 >= 0) {
-      vb[a2] += zvb;
-      vbd[a2] += zvbd;
-      vb[b2] -= zvb;
-      vbd[b2] -= zvbd;
-      zvb = 0.0;
-      zvbd = 0.0;
-      qb[a2] += zb;
-      qbd[a2] += zbd;
-      qb[b2] -= zb;
-      qbd[b2] -= zbd;
-      zb = 0.0;
-      zbd = 0.0;
+      vb[a2] += xvb;
+      vbd[a2] += xvbd;
+      vb[b2] -= xvb;
+      vbd[b2] -= xvbd;
+      xvb = 0.0;
+      xvbd = 0.0;
+      qb[a2] += xb;
+      qbd[a2] += xbd;
+      qb[b2] -= xb;
+      qbd[b2] -= xbd;
+      xb = 0.0;
+      xbd = 0.0;
     } else {
-      vb[a2] += zvb;
-      vbd[a2] += zvbd;
-      zvb = 0.0;
-      zvbd = 0.0;
-      qb[a2] += zb;
-      qbd[a2] += zbd;
-      zb = 0.0;
-      zbd = 0.0;
+      vb[a2] += xvb;
+      vbd[a2] += xvbd;
+      xvb = 0.0;
+      xvbd = 0.0;
+      qb[a2] += xb;
+      qbd[a2] += xbd;
+      xb = 0.0;
+      xbd = 0.0;
     }
   }
   for (i = t->nspring - 1; i >= 0; --i) {
@@ -902,7 +902,6 @@ void maggi_element_forces_b_d(const maggi_topo *t, const double p[restrict t->np
     rvb[b][0] -= ev0b;
     rvbd[b][0] -= ev0bd;
     rb[a][0] += e0b;
-    /* u from b to a; elastic and damping force, tension positive */
     rbd[a][0] += e0bd;
     rb[b][0] -= e0b;
     rbd[b][0] -= e0bd;

@@ -29,8 +29,8 @@ void maggi_element_forces_d(const maggi_topo *t, const double p[restrict t->np],
       force1, force1d, force2, force2d, g0, g0d, g1, g1d, g2, g2d, l, ld, linv, lv, lvd, n20, n20d,
       n21, n21d, n22, n22d, p2, p2d, p_adr2, p_adr2d, p_k24, p_k24d, p_k25, p_k25d, r_a0, r_a0d,
       r_a1, r_a1d, r_a2, r_a2d, r_b0, r_b0d, r_b1, r_b1d, r_b2, r_b2d, r_i0, r_i0d, r_i1, r_i1d,
-      r_i2, r_i2d, s, sd, speed, speedd, t2, t2d, t3, t3d, torqued, u0, u0d, u1, u1d, u20, u20d,
-      u21, u21d, u22, u22d, u2_2, u2_2d, z, zd, zv, zvd;
+      r_i2, r_i2d, s, sd, speed, speedd, t2, t2d, t3, t3d, torque0d, u0, u0d, u1, u1d, u20, u20d,
+      u21, u21d, u22, u22d, u2_2, u2_2d, x, xd, xv, xvd;
 
   (void)Z;
   (void)Zd;
@@ -49,7 +49,6 @@ void maggi_element_forces_d(const maggi_topo *t, const double p[restrict t->np],
     a = t->springpa[i];
     b = t->springpb[i];
     e0 = r[a][0] - r[b][0];
-    /* u from b to a; elastic and damping force, tension positive */
     e0d = rd[a][0] - rd[b][0];
     ev0 = rv[a][0] - rv[b][0];
     ev0d = rvd[a][0] - rvd[b][0];
@@ -165,22 +164,22 @@ void maggi_element_forces_d(const maggi_topo *t, const double p[restrict t->np],
     b2 = t->jspringq2[i];
     adr = t->jspringadr[i];
     if (b2 >= 0) {
-      z = q[a2] - q[b2];
-      zd = qd[a2] - qd[b2];
-      zv = v[a2] - v[b2];
-      zvd = vd[a2] - vd[b2];
+      x = q[a2] - q[b2];
+      xd = qd[a2] - qd[b2];
+      xv = v[a2] - v[b2];
+      xvd = vd[a2] - vd[b2];
     } else {
-      z = q[a2];
-      zd = qd[a2];
-      zv = v[a2];
-      zvd = vd[a2];
+      x = q[a2];
+      xd = qd[a2];
+      xv = v[a2];
+      xvd = vd[a2];
     }
-    torqued = -(pd[adr] * (z - p[adr + MAGGI_JSPRING_REST])) - p[adr] * (zd - pd[adr +
-        MAGGI_JSPRING_REST]) - (pd[adr + MAGGI_JSPRING_C] * zv + p[adr + MAGGI_JSPRING_C] * zvd) -
+    torque0d = -(pd[adr] * (x - p[adr + MAGGI_JSPRING_REST])) - p[adr] * (xd - pd[adr +
+        MAGGI_JSPRING_REST]) - (pd[adr + MAGGI_JSPRING_C] * xv + p[adr + MAGGI_JSPRING_C] * xvd) -
         pd[adr + MAGGI_JSPRING_PRELOAD];
-    taud[a2] += torqued;
+    taud[a2] += torque0d;
     if (b2 >= 0) {
-      taud[b2] -= torqued;
+      taud[b2] -= torque0d;
     }
   }
   for (i = 0; i < t->nforce; ++i) {

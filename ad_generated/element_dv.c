@@ -30,11 +30,11 @@ void maggi_element_forces_dv(const maggi_topo *t, const double p[restrict t->np]
   double back0, back1, back20, back21, back22, back2_2, c, c20, c21, c22, c3, c4, damping, e0, e1,
       e2, ev0, ev1, ev2, f0, f1, f2, f3, force0, force1, force2, g0, g1, g2, l, linv, lv, n20, n21,
       n22, p2, p_adr2, p_k24, p_k25, r_a0, r_a1, r_a2, r_b0, r_b1, r_b2, r_i0, r_i1, r_i2, s, speed,
-      t2, t3, u0, u1, u20, u21, u22, u2_2, z, zv;
+      t2, t3, u0, u1, u20, u21, u22, u2_2, x, xv;
   double c20d[MAGGI_NDIR], c21d[MAGGI_NDIR], c22d[MAGGI_NDIR], dampingd[MAGGI_NDIR],
       f0d[MAGGI_NDIR], f1d[MAGGI_NDIR], f2d[MAGGI_NDIR], g0d[MAGGI_NDIR], g1d[MAGGI_NDIR],
       g2d[MAGGI_NDIR], ld[MAGGI_NDIR], lvd[MAGGI_NDIR], n20d[MAGGI_NDIR], n21d[MAGGI_NDIR],
-      n22d[MAGGI_NDIR], sd[MAGGI_NDIR], torqued[MAGGI_NDIR], zd[MAGGI_NDIR], zvd[MAGGI_NDIR];
+      n22d[MAGGI_NDIR], sd[MAGGI_NDIR], torque0d[MAGGI_NDIR], xd[MAGGI_NDIR], xvd[MAGGI_NDIR];
 
   (void)Z;
   (void)Zd;
@@ -78,7 +78,6 @@ void maggi_element_forces_dv(const maggi_topo *t, const double p[restrict t->np]
     for (nd = 0; nd < MAGGI_NDIR; ++nd) {
       double e0d, e1d, e2d, ev0d, ev1d, ev2d, t2d;
 
-      /* u from b to a; elastic and damping force, tension positive */
       e0d = rd[a][0][nd] - rd[b][0][nd];
       ev0d = rvd[a][0][nd] - rvd[b][0][nd];
       e1d = rd[a][1][nd] - rd[b][1][nd];
@@ -221,33 +220,33 @@ void maggi_element_forces_dv(const maggi_topo *t, const double p[restrict t->np]
     b2 = t->jspringq2[i];
     adr = t->jspringadr[i];
     if (b2 >= 0) {
-      z = q[a2] - q[b2];
-      zv = v[a2] - v[b2];
+      x = q[a2] - q[b2];
+      xv = v[a2] - v[b2];
 #pragma omp simd
       for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-        zd[nd] = qd[a2][nd] - qd[b2][nd];
-        zvd[nd] = vd[a2][nd] - vd[b2][nd];
+        xd[nd] = qd[a2][nd] - qd[b2][nd];
+        xvd[nd] = vd[a2][nd] - vd[b2][nd];
       }
     } else {
-      z = q[a2];
-      zv = v[a2];
+      x = q[a2];
+      xv = v[a2];
 #pragma omp simd
       for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-        zd[nd] = qd[a2][nd];
-        zvd[nd] = vd[a2][nd];
+        xd[nd] = qd[a2][nd];
+        xvd[nd] = vd[a2][nd];
       }
     }
 #pragma omp simd
     for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-      torqued[nd] = -(pd[adr][nd] * (z - p[adr + MAGGI_JSPRING_REST])) - p[adr] * (zd[nd] - pd[adr +
-          MAGGI_JSPRING_REST][nd]) - (pd[adr + MAGGI_JSPRING_C][nd] * zv + p[adr + MAGGI_JSPRING_C]
-          * zvd[nd]) - pd[adr + MAGGI_JSPRING_PRELOAD][nd];
-      taud[a2][nd] += torqued[nd];
+      torque0d[nd] = -(pd[adr][nd] * (x - p[adr + MAGGI_JSPRING_REST])) - p[adr] * (xd[nd] - pd[adr
+          + MAGGI_JSPRING_REST][nd]) - (pd[adr + MAGGI_JSPRING_C][nd] * xv + p[adr +
+          MAGGI_JSPRING_C] * xvd[nd]) - pd[adr + MAGGI_JSPRING_PRELOAD][nd];
+      taud[a2][nd] += torque0d[nd];
     }
     if (b2 >= 0) {
 #pragma omp simd
       for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-        taud[b2][nd] -= torqued[nd];
+        taud[b2][nd] -= torque0d[nd];
       }
     }
   }

@@ -1155,6 +1155,47 @@ static void generalised_forces_call_b_d(const maggi_topo *t, double *x[], double
                                (void *)x[3], (void *)xd[3], (void *)xb[3], (void *)xbd[3]);
 }
 
+static const maggi_head_argument reactions_arguments[] = {
+    {"x", MAGGI_HEAD_INPUT, size_nbody_1_3},
+    {"FS", MAGGI_HEAD_INPUT, size_nbody_1_6},
+    {"wrench", MAGGI_HEAD_OUTPUT, size_nbody_6},
+};
+
+static void reactions_call(const maggi_topo *t, double *x[])
+{
+  maggi_reactions(t, (void *)x[0], (void *)x[1], (void *)x[2]);
+}
+
+static void reactions_call_d(const maggi_topo *t, double *x[], double *xd[])
+{
+  maggi_reactions_d(t, (void *)x[0], (void *)xd[0], (void *)x[1], (void *)xd[1], (void *)x[2],
+                    (void *)xd[2]);
+}
+
+#ifndef MAGGI_COMPLEX
+static void reactions_call_dv(const maggi_topo *t, double *x[], double *xd[])
+{
+  maggi_reactions_dv(t, (void *)x[0], (void *)xd[0], (void *)x[1], (void *)xd[1], (void *)x[2],
+                     (void *)xd[2], MAGGI_NDIR);
+}
+#else
+#define reactions_call_dv NULL
+#endif
+
+static void reactions_call_b(const maggi_topo *t, double *x[], double *xb[])
+{
+  maggi_reactions_b(t, (void *)x[0], (void *)xb[0], (void *)x[1], (void *)xb[1], (void *)x[2],
+                    (void *)xb[2]);
+}
+
+static void reactions_call_b_d(const maggi_topo *t, double *x[], double *xd[], double *xb[],
+                               double *xbd[])
+{
+  maggi_reactions_b_d(t, (void *)x[0], (void *)xd[0], (void *)xb[0], (void *)xbd[0], (void *)x[1],
+                      (void *)xd[1], (void *)xb[1], (void *)xbd[1], (void *)x[2], (void *)xd[2],
+                      (void *)xb[2], (void *)xbd[2]);
+}
+
 static int size_nsensor_3(const maggi_topo *t)
 {
   return t->nsensor * 3;
@@ -1163,25 +1204,35 @@ static int size_nsensor_3(const maggi_topo *t)
 static const maggi_head_argument sensors_arguments[] = {
     {"p", MAGGI_HEAD_INPUT, size_np},
     {"origin", MAGGI_HEAD_PASSIVE, size_3},
+    {"spring0", MAGGI_HEAD_INPUT, size_nspring},
+    {"q", MAGGI_HEAD_INPUT, size_nq},
+    {"v", MAGGI_HEAD_INPUT, size_nq},
     {"A", MAGGI_HEAD_INPUT, size_nbody_1_9},
     {"x", MAGGI_HEAD_INPUT, size_nbody_1_3},
     {"r", MAGGI_HEAD_INPUT, size_npoint_3},
+    {"Z", MAGGI_HEAD_INPUT, size_nbody_1_6},
     {"rv", MAGGI_HEAD_INPUT, size_npoint_3},
+    {"Za", MAGGI_HEAD_INPUT, size_nbody_1_6},
     {"ra", MAGGI_HEAD_INPUT, size_npoint_3},
+    {"lambda", MAGGI_HEAD_INPUT, size_nrow},
     {"s", MAGGI_HEAD_OUTPUT, size_nsensor_3},
 };
 
 static void sensors_call(const maggi_topo *t, double *x[])
 {
   maggi_sensors(t, (void *)x[0], (void *)x[1], (void *)x[2], (void *)x[3], (void *)x[4],
-                (void *)x[5], (void *)x[6], (void *)x[7]);
+                (void *)x[5], (void *)x[6], (void *)x[7], (void *)x[8], (void *)x[9], (void *)x[10],
+                (void *)x[11], (void *)x[12], (void *)x[13]);
 }
 
 static void sensors_call_d(const maggi_topo *t, double *x[], double *xd[])
 {
   maggi_sensors_d(t, (void *)x[0], (void *)xd[0], (void *)x[1], (void *)x[2], (void *)xd[2],
                   (void *)x[3], (void *)xd[3], (void *)x[4], (void *)xd[4], (void *)x[5],
-                  (void *)xd[5], (void *)x[6], (void *)xd[6], (void *)x[7], (void *)xd[7]);
+                  (void *)xd[5], (void *)x[6], (void *)xd[6], (void *)x[7], (void *)xd[7],
+                  (void *)x[8], (void *)xd[8], (void *)x[9], (void *)xd[9], (void *)x[10],
+                  (void *)xd[10], (void *)x[11], (void *)xd[11], (void *)x[12], (void *)xd[12],
+                  (void *)x[13], (void *)xd[13]);
 }
 
 #ifndef MAGGI_COMPLEX
@@ -1190,7 +1241,9 @@ static void sensors_call_dv(const maggi_topo *t, double *x[], double *xd[])
   maggi_sensors_dv(t, (void *)x[0], (void *)xd[0], (void *)x[1], (void *)x[2], (void *)xd[2],
                    (void *)x[3], (void *)xd[3], (void *)x[4], (void *)xd[4], (void *)x[5],
                    (void *)xd[5], (void *)x[6], (void *)xd[6], (void *)x[7], (void *)xd[7],
-                   MAGGI_NDIR);
+                   (void *)x[8], (void *)xd[8], (void *)x[9], (void *)xd[9], (void *)x[10],
+                   (void *)xd[10], (void *)x[11], (void *)xd[11], (void *)x[12], (void *)xd[12],
+                   (void *)x[13], (void *)xd[13], MAGGI_NDIR);
 }
 #else
 #define sensors_call_dv NULL
@@ -1200,7 +1253,10 @@ static void sensors_call_b(const maggi_topo *t, double *x[], double *xb[])
 {
   maggi_sensors_b(t, (void *)x[0], (void *)xb[0], (void *)x[1], (void *)x[2], (void *)xb[2],
                   (void *)x[3], (void *)xb[3], (void *)x[4], (void *)xb[4], (void *)x[5],
-                  (void *)xb[5], (void *)x[6], (void *)xb[6], (void *)x[7], (void *)xb[7]);
+                  (void *)xb[5], (void *)x[6], (void *)xb[6], (void *)x[7], (void *)xb[7],
+                  (void *)x[8], (void *)xb[8], (void *)x[9], (void *)xb[9], (void *)x[10],
+                  (void *)xb[10], (void *)x[11], (void *)xb[11], (void *)x[12], (void *)xb[12],
+                  (void *)x[13], (void *)xb[13]);
 }
 
 static void sensors_call_b_d(const maggi_topo *t, double *x[], double *xd[], double *xb[],
@@ -1211,7 +1267,12 @@ static void sensors_call_b_d(const maggi_topo *t, double *x[], double *xd[], dou
                     (void *)xd[3], (void *)xb[3], (void *)xbd[3], (void *)x[4], (void *)xd[4],
                     (void *)xb[4], (void *)xbd[4], (void *)x[5], (void *)xd[5], (void *)xb[5],
                     (void *)xbd[5], (void *)x[6], (void *)xd[6], (void *)xb[6], (void *)xbd[6],
-                    (void *)x[7], (void *)xd[7], (void *)xb[7], (void *)xbd[7]);
+                    (void *)x[7], (void *)xd[7], (void *)xb[7], (void *)xbd[7], (void *)x[8],
+                    (void *)xd[8], (void *)xb[8], (void *)xbd[8], (void *)x[9], (void *)xd[9],
+                    (void *)xb[9], (void *)xbd[9], (void *)x[10], (void *)xd[10], (void *)xb[10],
+                    (void *)xbd[10], (void *)x[11], (void *)xd[11], (void *)xb[11], (void *)xbd[11],
+                    (void *)x[12], (void *)xd[12], (void *)xb[12], (void *)xbd[12], (void *)x[13],
+                    (void *)xd[13], (void *)xb[13], (void *)xbd[13]);
 }
 
 static const maggi_head_argument kinetic_energy_arguments[] = {
@@ -1374,7 +1435,9 @@ const maggi_head maggi_heads[] = {
   {"maggi_generalised_forces", 4, generalised_forces_arguments, generalised_forces_call,
       generalised_forces_call_d, generalised_forces_call_dv, generalised_forces_call_b,
       generalised_forces_call_b_d},
-  {"maggi_sensors", 8, sensors_arguments, sensors_call, sensors_call_d, sensors_call_dv,
+  {"maggi_reactions", 3, reactions_arguments, reactions_call, reactions_call_d, reactions_call_dv,
+      reactions_call_b, reactions_call_b_d},
+  {"maggi_sensors", 14, sensors_arguments, sensors_call, sensors_call_d, sensors_call_dv,
       sensors_call_b, sensors_call_b_d},
   {"maggi_kinetic_energy", 5, kinetic_energy_arguments, kinetic_energy_call, kinetic_energy_call_d,
       kinetic_energy_call_dv, kinetic_energy_call_b, kinetic_energy_call_b_d},
@@ -1383,4 +1446,4 @@ const maggi_head maggi_heads[] = {
       potential_energy_call_b_d},
 };
 
-const int maggi_nhead = 26;
+const int maggi_nhead = 27;

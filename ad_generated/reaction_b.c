@@ -357,3 +357,58 @@ void maggi_loop_forces_b(const maggi_topo *t, const double prim0[restrict t->npr
     }
   }
 }
+
+/* what a joint exerts on its body, about the joint point: - FS, which is about P */
+void maggi_reactions_b(const maggi_topo *t, const double x[restrict t->nbody + 1][3],
+                       double xb[restrict t->nbody + 1][3],
+                       const double FS[restrict t->nbody + 1][6],
+                       double FSb[restrict t->nbody + 1][6], double wrench[restrict t->nbody][6],
+                       double wrenchb[restrict t->nbody][6])
+{
+  int i;
+  double FS_i0, FS_i0b, FS_i1, FS_i1b, FS_i2, FS_i2b, tb2, tb3, tb4, x_i0, x_i0b, x_i1, x_i1b, x_i2,
+      x_i2b;
+
+  (void)wrench;
+  for (i = t->nbody - 1; i >= 0; --i) {
+    FS_i0 = FS[i][0];
+    FS_i1 = FS[i][1];
+    FS_i2 = FS[i][2];
+    x_i1 = x[i][1];
+    x_i2 = x[i][2];
+    x_i0 = x[i][0];
+    tb4 = wrenchb[i][5];
+    wrenchb[i][5] = 0.0;
+    x_i0b = tb4 * FS_i1;
+    FS_i1b = tb4 * x_i0;
+    x_i1b = -(tb4 * FS_i0);
+    FS_i0b = -(tb4 * x_i1);
+    FSb[i][5] -= tb4;
+    tb3 = wrenchb[i][4];
+    wrenchb[i][4] = 0.0;
+    x_i2b = tb3 * FS_i0;
+    FS_i0b += tb3 * x_i2;
+    x_i0b -= tb3 * FS_i2;
+    FS_i2b = -(tb3 * x_i0);
+    FSb[i][4] -= tb3;
+    xb[i][0] += x_i0b;
+    tb2 = wrenchb[i][3];
+    wrenchb[i][3] = 0.0;
+    x_i1b += tb2 * FS_i2;
+    FS_i2b += tb2 * x_i1;
+    x_i2b -= tb2 * FS_i1;
+    FS_i1b -= tb2 * x_i2;
+    FSb[i][3] -= tb2;
+    xb[i][2] += x_i2b;
+    xb[i][1] += x_i1b;
+    FS_i2b -= wrenchb[i][2];
+    wrenchb[i][2] = 0.0;
+    FSb[i][2] += FS_i2b;
+    FS_i1b -= wrenchb[i][1];
+    wrenchb[i][1] = 0.0;
+    FSb[i][1] += FS_i1b;
+    FS_i0b -= wrenchb[i][0];
+    wrenchb[i][0] = 0.0;
+    FSb[i][0] += FS_i0b;
+  }
+}

@@ -686,3 +686,103 @@ void maggi_loop_forces_b_d(const maggi_topo *t, const double prim0[restrict t->n
     }
   }
 }
+
+/* what a joint exerts on its body, about the joint point: - FS, which is about P */
+void maggi_reactions_b_d(const maggi_topo *t, const double x[restrict t->nbody + 1][3],
+                         const double xd[restrict t->nbody + 1][3],
+                         double xb[restrict t->nbody + 1][3], double xbd[restrict t->nbody + 1][3],
+                         const double FS[restrict t->nbody + 1][6],
+                         const double FSd[restrict t->nbody + 1][6],
+                         double FSb[restrict t->nbody + 1][6],
+                         double FSbd[restrict t->nbody + 1][6], double wrench[restrict t->nbody][6],
+                         double wrenchd[restrict t->nbody][6], double wrenchb[restrict t->nbody][6],
+                         double wrenchbd[restrict t->nbody][6])
+{
+  int i;
+  double FS_i0, FS_i0b, FS_i0bd, FS_i0d, FS_i1, FS_i1b, FS_i1bd, FS_i1d, FS_i2, FS_i2b, FS_i2bd,
+      FS_i2d, tb2, tb2d, tb3, tb3d, tb4, tb4d, x_i0, x_i0b, x_i0bd, x_i0d, x_i1, x_i1b, x_i1bd,
+      x_i1d, x_i2, x_i2b, x_i2bd, x_i2d;
+
+  (void)wrench;
+  (void)wrenchd;
+  for (i = t->nbody - 1; i >= 0; --i) {
+    FS_i0 = FS[i][0];
+    FS_i0d = FSd[i][0];
+    FS_i1 = FS[i][1];
+    FS_i1d = FSd[i][1];
+    FS_i2 = FS[i][2];
+    FS_i2d = FSd[i][2];
+    x_i1 = x[i][1];
+    x_i1d = xd[i][1];
+    x_i2 = x[i][2];
+    x_i2d = xd[i][2];
+    x_i0 = x[i][0];
+    x_i0d = xd[i][0];
+    tb4 = wrenchb[i][5];
+    tb4d = wrenchbd[i][5];
+    wrenchb[i][5] = 0.0;
+    wrenchbd[i][5] = 0.0;
+    x_i0b = tb4 * FS_i1;
+    x_i0bd = tb4d * FS_i1 + tb4 * FS_i1d;
+    FS_i1b = tb4 * x_i0;
+    FS_i1bd = tb4d * x_i0 + tb4 * x_i0d;
+    x_i1b = -(tb4 * FS_i0);
+    x_i1bd = -(tb4d * FS_i0 + tb4 * FS_i0d);
+    FS_i0b = -(tb4 * x_i1);
+    FS_i0bd = -(tb4d * x_i1 + tb4 * x_i1d);
+    FSb[i][5] -= tb4;
+    FSbd[i][5] -= tb4d;
+    tb3 = wrenchb[i][4];
+    tb3d = wrenchbd[i][4];
+    wrenchb[i][4] = 0.0;
+    wrenchbd[i][4] = 0.0;
+    x_i2b = tb3 * FS_i0;
+    x_i2bd = tb3d * FS_i0 + tb3 * FS_i0d;
+    FS_i0b += tb3 * x_i2;
+    FS_i0bd += tb3d * x_i2 + tb3 * x_i2d;
+    x_i0b -= tb3 * FS_i2;
+    x_i0bd -= tb3d * FS_i2 + tb3 * FS_i2d;
+    FS_i2b = -(tb3 * x_i0);
+    FS_i2bd = -(tb3d * x_i0 + tb3 * x_i0d);
+    FSb[i][4] -= tb3;
+    FSbd[i][4] -= tb3d;
+    xb[i][0] += x_i0b;
+    xbd[i][0] += x_i0bd;
+    tb2 = wrenchb[i][3];
+    tb2d = wrenchbd[i][3];
+    wrenchb[i][3] = 0.0;
+    wrenchbd[i][3] = 0.0;
+    x_i1b += tb2 * FS_i2;
+    x_i1bd += tb2d * FS_i2 + tb2 * FS_i2d;
+    FS_i2b += tb2 * x_i1;
+    FS_i2bd += tb2d * x_i1 + tb2 * x_i1d;
+    x_i2b -= tb2 * FS_i1;
+    x_i2bd -= tb2d * FS_i1 + tb2 * FS_i1d;
+    FS_i1b -= tb2 * x_i2;
+    FS_i1bd -= tb2d * x_i2 + tb2 * x_i2d;
+    FSb[i][3] -= tb2;
+    FSbd[i][3] -= tb2d;
+    xb[i][2] += x_i2b;
+    xbd[i][2] += x_i2bd;
+    xb[i][1] += x_i1b;
+    xbd[i][1] += x_i1bd;
+    FS_i2b -= wrenchb[i][2];
+    FS_i2bd -= wrenchbd[i][2];
+    wrenchb[i][2] = 0.0;
+    wrenchbd[i][2] = 0.0;
+    FSb[i][2] += FS_i2b;
+    FSbd[i][2] += FS_i2bd;
+    FS_i1b -= wrenchb[i][1];
+    FS_i1bd -= wrenchbd[i][1];
+    wrenchb[i][1] = 0.0;
+    wrenchbd[i][1] = 0.0;
+    FSb[i][1] += FS_i1b;
+    FSbd[i][1] += FS_i1bd;
+    FS_i0b -= wrenchb[i][0];
+    FS_i0bd -= wrenchbd[i][0];
+    wrenchb[i][0] = 0.0;
+    wrenchbd[i][0] = 0.0;
+    FSb[i][0] += FS_i0b;
+    FSbd[i][0] += FS_i0bd;
+  }
+}

@@ -237,3 +237,36 @@ void maggi_loop_forces_d(const maggi_topo *t, const double prim0[restrict t->npr
     }
   }
 }
+
+/* what a joint exerts on its body, about the joint point: - FS, which is about P */
+void maggi_reactions_d(const maggi_topo *t, const double x[restrict t->nbody + 1][3],
+                       const double xd[restrict t->nbody + 1][3],
+                       const double FS[restrict t->nbody + 1][6],
+                       const double FSd[restrict t->nbody + 1][6],
+                       double wrench[restrict t->nbody][6], double wrenchd[restrict t->nbody][6])
+{
+  int i;
+  double FS_i0, FS_i0d, FS_i1, FS_i1d, FS_i2, FS_i2d, x_i0, x_i0d, x_i1, x_i1d, x_i2, x_i2d;
+
+  (void)wrench;
+  for (i = 0; i < t->nbody; ++i) {
+    FS_i0 = FS[i][0];
+    FS_i0d = FSd[i][0];
+    wrenchd[i][0] = -FS_i0d;
+    FS_i1 = FS[i][1];
+    FS_i1d = FSd[i][1];
+    wrenchd[i][1] = -FS_i1d;
+    FS_i2 = FS[i][2];
+    FS_i2d = FSd[i][2];
+    wrenchd[i][2] = -FS_i2d;
+    x_i1 = x[i][1];
+    x_i1d = xd[i][1];
+    x_i2 = x[i][2];
+    x_i2d = xd[i][2];
+    wrenchd[i][3] = x_i1d * FS_i2 + x_i1 * FS_i2d - (x_i2d * FS_i1 + x_i2 * FS_i1d) - FSd[i][3];
+    x_i0 = x[i][0];
+    x_i0d = xd[i][0];
+    wrenchd[i][4] = x_i2d * FS_i0 + x_i2 * FS_i0d - (x_i0d * FS_i2 + x_i0 * FS_i2d) - FSd[i][4];
+    wrenchd[i][5] = x_i0d * FS_i1 + x_i0 * FS_i1d - (x_i1d * FS_i0 + x_i1 * FS_i0d) - FSd[i][5];
+  }
+}

@@ -316,3 +316,46 @@ void maggi_loop_forces_dv(const maggi_topo *t, const double prim0[restrict t->np
     }
   }
 }
+
+/* what a joint exerts on its body, about the joint point: - FS, which is about P */
+void maggi_reactions_dv(const maggi_topo *t, const double x[restrict t->nbody + 1][3],
+                        const double xd[restrict t->nbody + 1][3][MAGGI_NDIR],
+                        const double FS[restrict t->nbody + 1][6],
+                        const double FSd[restrict t->nbody + 1][6][MAGGI_NDIR],
+                        double wrench[restrict t->nbody][6],
+                        double wrenchd[restrict t->nbody][6][MAGGI_NDIR], int nbdirs)
+{
+  int i, nd;
+  double FS_i0, FS_i1, FS_i2, x_i0, x_i1, x_i2;
+
+  (void)wrench;
+  (void)nbdirs;
+  for (i = 0; i < t->nbody; ++i) {
+    FS_i0 = FS[i][0];
+    FS_i1 = FS[i][1];
+    FS_i2 = FS[i][2];
+    x_i1 = x[i][1];
+    x_i2 = x[i][2];
+    x_i0 = x[i][0];
+#pragma omp simd
+    for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+      double FS_i0d, FS_i1d, FS_i2d, x_i0d, x_i1d, x_i2d;
+
+      FS_i0d = FSd[i][0][nd];
+      wrenchd[i][0][nd] = -FS_i0d;
+      FS_i1d = FSd[i][1][nd];
+      wrenchd[i][1][nd] = -FS_i1d;
+      FS_i2d = FSd[i][2][nd];
+      wrenchd[i][2][nd] = -FS_i2d;
+      x_i1d = xd[i][1][nd];
+      x_i2d = xd[i][2][nd];
+      wrenchd[i][3][nd] = x_i1d * FS_i2 + x_i1 * FS_i2d - (x_i2d * FS_i1 + x_i2 * FS_i1d) -
+          FSd[i][3][nd];
+      x_i0d = xd[i][0][nd];
+      wrenchd[i][4][nd] = x_i2d * FS_i0 + x_i2 * FS_i0d - (x_i0d * FS_i2 + x_i0 * FS_i2d) -
+          FSd[i][4][nd];
+      wrenchd[i][5][nd] = x_i0d * FS_i1 + x_i0 * FS_i1d - (x_i1d * FS_i0 + x_i1 * FS_i0d) -
+          FSd[i][5][nd];
+    }
+  }
+}

@@ -27,6 +27,17 @@ TAIL = """\
 
 sensors:
   - {{name: tip, type: position, body: bar{n}, point: {tip}}}
+
+objectives:
+  - {{name: drop, type: mean, signal: tip.z}}
+  - {{name: energy, type: integral, signal: energy.kinetic}}
+  - {{name: swing, type: integral_square, signal: bar{n}.q}}
+  - {{name: load, type: smooth_maximum, signal: bar1.fz, sharpness: 0.05}}
+
+design:
+  - {{name: mass, parameters: ["bodies.*.mass"]}}
+  - {{name: mass{n}, parameters: [bodies.bar{n}.mass]}}
+  - {{name: gravity, parameters: [gravity.z], factors: [-1]}}
 """
 
 

@@ -55,6 +55,19 @@ TAIL = """\
 sensors:
   - {name: B0, type: position, body: crank_0, point: [0, 1, 0]}
   - {name: B0_velocity, type: velocity, body: crank_0, point: [0, 1, 0]}
+
+objectives:
+  - {name: swing, type: integral_square, signal: crank_0.v}
+  - {name: height, type: mean, signal: B0.y}
+  - {name: energy, type: smooth_maximum, signal: energy.kinetic, sharpness: 0.05}
+  - {name: turn, type: terminal, signal: crank_0.q}
+
+# masses, gravity and speed only: other lengths would not close where the windows are flat
+design:
+  - {name: mass, parameters: ["bodies.*.mass"]}
+  - {name: mass0, parameters: [bodies.crank_0.mass]}
+  - {name: gravity, parameters: [gravity.y], factors: [-1]}
+  - {name: rate, parameters: [bodies.crank_0.joint.velocity]}
 """
 
 SOURCE = {

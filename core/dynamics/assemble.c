@@ -188,8 +188,8 @@ static int is_position_dependent(const maggi_data *d)
 }
 
 /* The independent coordinates go to where assembly started (dqs), the others close the loops around
- * them; left as assembled where that cannot be done. */
-static void settle(maggi_data *d, double time)
+ * them; false, and left as assembled, where that cannot be done. */
+static int settle(maggi_data *d, double time)
 {
   const maggi_topo *t = &d->t;
   double violation = INFINITY;
@@ -208,10 +208,10 @@ static void settle(maggi_data *d, double time)
     move(d, 1.0);
     maggi_evaluate_positions(d, time);
   }
-  if (!(violation <= d->tolerance)) {
-    memcpy(d->q, d->dus, (size_t)t->nq * sizeof(double));
-    maggi_evaluate_positions(d, time);
-  }
+  if (violation <= d->tolerance) return 1;
+  memcpy(d->q, d->dus, (size_t)t->nq * sizeof(double));
+  maggi_evaluate_positions(d, time);
+  return 0;
 }
 
 static const char *coordinate_name(const maggi_data *d, int q)
@@ -331,29 +331,79 @@ static maggi_status begin(maggi_data *d)
 {
   d->ready = 0;
   d->message[0] = '\0';
+  d->follower = NULL;
+  maggi_plan_restart(d);
   maggi_constants(d);
   return check_constants(d);
+}
+
+void maggi_hold_choice(maggi_data *d)
+{
+  int i, c;
+
+  for (i = 0; i < d->t.nq && !d->is_kept; ++i) {
+    c = d->t.col[i];
+    d->position_given[i] = d->velocity_given[i] = c >= 0 && c < d->t.nind;
+  }
+}
+
+static maggi_status plan_start(maggi_data *d)
+{
+  return maggi_plan(d, MAGGI_AVOID_GIVEN, 0.1);
+}
+
+static maggi_saved_plan kept_plan(const maggi_data *d)
+{
+  maggi_saved_plan plan;
+
+  maggi_saved_plan_place(&plan, &d->t, d->kept_plan);
+  return plan;
+}
+
+maggi_status maggi_evaluate_start(maggi_data *d, int is_kept)
+{
+  maggi_saved_plan plan = kept_plan(d);
+  maggi_status status = is_kept ? maggi_plan_load(d, &plan) : plan_start(d);
+  int i;
+
+  if (status != MAGGI_OK) return status;
+  for (i = 0; i < d->t.nind; ++i) d->vcol[i] = d->v0[d->t.colq[i]];
+  maggi_evaluate(d, d->time);
+  return MAGGI_OK;
+}
+
+int maggi_initial_position(const maggi_data *d, int q)
+{
+  return d->is_settled || d->position_given[q] ? d->m->initial_position[q] : -1;
 }
 
 maggi_status maggi_data_reset(maggi_data *d)
 {
   const maggi_model *m = d->m;
+  maggi_saved_plan plan;
   maggi_status status;
-  int i, q;
+  int i;
 
   status = begin(d);
   if (status != MAGGI_OK) return status;
   for (i = 0; i < d->t.nq; ++i)
     if (m->initial_position[i] >= 0) d->q[i] = d->p[m->initial_position[i]];
   status = assemble(d, 0.0, MAGGI_KEEP_POSITION);
-  if (status == MAGGI_OK) status = maggi_plan(d, MAGGI_AVOID_GIVEN, 0.1);
+  if (status == MAGGI_OK) status = plan_start(d);
   if (status != MAGGI_OK) return status;
-  if (!is_position_dependent(d)) settle(d, 0.0);
-  for (i = 0; i < d->t.nind; ++i) {
-    q = d->t.colq[i];
-    d->vcol[i] = d->velocity_given[q] ? d->p[m->initial_velocity[q]] : 0.0;
+  d->is_kept = is_position_dependent(d);
+  if (d->is_kept) status = maggi_plan(d, MAGGI_KEEP_POSITION, 0.1);
+  if (status != MAGGI_OK) return status;
+  d->is_settled = settle(d, 0.0);
+  if (d->is_kept) {
+    plan = kept_plan(d);
+    maggi_plan_save(d, &plan);
+    status = plan_start(d);
   }
+  if (status != MAGGI_OK) return status;
+  for (i = 0; i < d->t.nind; ++i) d->vcol[i] = d->p[m->initial_velocity[d->t.colq[i]]];
   status = complete(d, 0.0);
+  memcpy(d->v0, d->v, (size_t)d->t.nq * sizeof(double));
   if (status == MAGGI_OK) status = check_velocities(d);
   d->ready = status == MAGGI_OK;
   return status;

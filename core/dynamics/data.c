@@ -56,7 +56,9 @@ maggi_status maggi_data_create(const maggi_model *m, maggi_data **data)
   d->rank_tolerance = MAGGI_RANK_TOLERANCE;
   d->position_given = calloc(nq, sizeof(int));
   d->velocity_given = calloc(nq, sizeof(int));
-  ok = d->position_given && d->velocity_given && maggi_planner_create(m, &d->planner) == MAGGI_OK;
+  d->kept_plan = malloc(maggi_saved_plan_size(&d->t) + 1);
+  ok = d->kept_plan && d->position_given && d->velocity_given &&
+       maggi_planner_create(m, &d->planner) == MAGGI_OK;
 #define X(name, rows, cols, text)                                                                  \
   d->name = (double(*)[cols])numbers(size_of(#rows, &d->t) * cols);                                \
   ok = ok && d->name;
@@ -90,6 +92,7 @@ void maggi_data_free(maggi_data *d)
   MAGGI_DATA_VECTORS(X)
   MAGGI_PLAN_VECTORS(X)
 #undef X
+  free(d->kept_plan);
   free(d->position_given);
   free(d->velocity_given);
   maggi_planner_free(d->planner);

@@ -44,6 +44,7 @@
   X(ra, npoint, 3, "accelerations of points less gravity")                                         \
   X(Fr, nbody1, 6, "inertia forces, rods and loops")                                               \
   X(FSr, nbody1, 6, "Fr + Q of the whole subtree")                                                 \
+  X(wrench, nbody, 6, "reactions of joints, at the joint point")                                   \
   X(sensor, nsensor, 3, "sensors")
 
 #define MAGGI_DATA_VECTORS(X)                                                                      \
@@ -114,6 +115,27 @@ typedef struct maggi_node {
   double *q, *v, *a;
 } maggi_node;
 
+/* places that a node is copied between: `start`, `node`, the present state */
+typedef enum maggi_place { MAGGI_START, MAGGI_NODE, MAGGI_PRESENT, MAGGI_PLACES } maggi_place;
+
+/* Who follows a simulation step by step, to differentiate or to record it.  A step that a singular
+ * position stops begins again. */
+typedef struct maggi_follower maggi_follower;
+struct maggi_follower {
+  /* a Runge-Kutta step begins at `start` */
+  void (*begin)(maggi_follower *f);
+  /* after the evaluation of a stage at start + ahead * slopes of the one before, whose slopes count
+   * `weight` sixths of the step */
+  maggi_status (*stage)(maggi_follower *f, double weight, double ahead, double time);
+  /* after the evaluation at the end of the step, to which loops have perhaps been projected */
+  maggi_status (*end)(maggi_follower *f, double h, double time, int is_projected);
+  /* after another evaluation there, with a new choice of coordinates */
+  maggi_status (*renewed)(maggi_follower *f, double time);
+  void (*copy)(maggi_follower *f, maggi_place to, maggi_place from);
+  /* the present state is c (q, v, a of `start`; q, v, a of `node`), see maggi_quintic */
+  void (*interpolate)(maggi_follower *f, const double c[3][6]);
+};
+
 struct maggi_data {
   const maggi_model *m;
   maggi_topo t;
@@ -121,7 +143,8 @@ struct maggi_data {
   double origin[3];
   double tolerance;
   double time;
-  double power[1]; /* of dampers, loads and drives */
+  double power[1];                 /* of dampers, loads and drives */
+  double kinetic[1], potential[1]; /* energies, by maggi_get_energy */
   double work;
   double
       rank_tolerance; /* smaller pivots, in the natural size of a loop, are redundant equations */
@@ -130,11 +153,15 @@ struct maggi_data {
   maggi_node start;   /* of the last Runge-Kutta step: q0, v0, a0 */
   maggi_node node;    /* its end: qn, vn, an; later than the state of `time` if is_ahead */
   int is_ahead;
-  int careless;        /* steps still taken without care at singular positions */
-  double replan_below; /* pivot ratio at which a better choice is looked for */
-  int ready;           /* after a successful reset */
-  int fresh;           /* MAGGI_STALE, .. */
-  long plans;          /* choices of coordinates so far */
+  maggi_follower *follower; /* or NULL */
+  int careless;             /* steps still taken without care at singular positions */
+  double replan_below;      /* pivot ratio at which a better choice is looked for */
+  int ready;                /* after a successful reset */
+  int is_settled;           /* by reset: independent coordinates are where p says */
+  int is_kept;     /* by reset: these were those of another plan, with MAGGI_KEEP_POSITION: */
+  void *kept_plan; /* maggi_saved_plan */
+  int fresh;       /* MAGGI_STALE, .. */
+  long plans;      /* choices of coordinates so far */
   long changes, projections, evaluations;
   int *position_given, *velocity_given; /* (nq) */
 #define X(name, rows, cols, text) double(*name)[cols];
@@ -160,9 +187,22 @@ maggi_status maggi_data_fit(maggi_data *d);
 enum { MAGGI_AVOID_GIVEN = 1, MAGGI_KEEP_POSITION = 2 };
 maggi_status maggi_planner_create(const maggi_model *m, maggi_planner **planner);
 void maggi_planner_free(maggi_planner *planner);
+void maggi_plan_restart(maggi_data *d); /* forget earlier choices */
 maggi_status maggi_plan(maggi_data *d, int avoid, double threshold);
 /* A better plan for the running simulation if there is one; *changed says so. */
 maggi_status maggi_plan_renew(maggi_data *d, int *changed);
+
+/* What a plan follows from. */
+typedef struct maggi_saved_plan {
+  int *owner, *order; /* (nq), (nloop) */
+  double *piv0;       /* (nq) */
+} maggi_saved_plan;
+size_t maggi_saved_plan_size(const maggi_topo *t); /* bytes */
+/* lists in memory of that size, aligned for numbers */
+void maggi_saved_plan_place(maggi_saved_plan *saved, const maggi_topo *t, void *memory);
+void maggi_plan_save(const maggi_data *d, const maggi_saved_plan *saved);
+int maggi_plan_is_saved(const maggi_data *d, const maggi_saved_plan *saved); /* the same choice */
+maggi_status maggi_plan_load(maggi_data *d, const maggi_saved_plan *saved);
 
 /* evaluate.c */
 void maggi_constants(maggi_data *d);
@@ -182,5 +222,23 @@ void maggi_path_entry(const maggi_data *d, int prim, int i, double e[3]);
 /* assemble.c */
 maggi_status maggi_project(maggi_data *d, double time);
 maggi_status maggi_check(maggi_data *d, double time);
+/* Initial state, after a reset: address in p of the position that a coordinate was set to, -1 if none; those
+ * of velocities of independent coordinates are m->initial_velocity.  Hold makes later resets choose these
+ * independent coordinates.  Evaluation
+ * with the plan by which assembly closed the loops, which is_kept says is another one, or with the final
+ * one; velocities of independent coordinates are those of `start`. */
+int maggi_initial_position(const maggi_data *d, int q);
+void maggi_hold_choice(maggi_data *d);
+maggi_status maggi_evaluate_start(maggi_data *d, int is_kept);
+
+/* integrate.c: q, H v, H^2 a at the part s of a step of length H from those at its ends: rows of c by q, v, a
+ * at the start, then at the end */
+void maggi_quintic(double s, double H, double c[3][6]);
+
+/* snapshot.c: all that the next steps depend on */
+typedef struct maggi_snapshot maggi_snapshot;
+size_t maggi_snapshot_size(const maggi_topo *t); /* bytes, a multiple of that of a number */
+void maggi_snapshot_save(const maggi_data *d, void *memory);
+maggi_status maggi_snapshot_load(maggi_data *d, const void *memory);
 
 #endif

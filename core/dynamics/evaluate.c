@@ -170,8 +170,9 @@ void maggi_results(maggi_data *d)
   maggi_point_velocities(t, t->npointdyn, t->npoint, ARRAY(d->r), ARRAY(d->Z), d->rv);
   maggi_point_accelerations(t, t->npointdyn, t->npoint, ARRAY(d->r), ARRAY(d->rv), ARRAY(d->Z),
                             ARRAY(d->Za), d->ra);
-  maggi_sensors(t, d->p, d->origin, ARRAY(d->A), ARRAY(d->x), ARRAY(d->r), ARRAY(d->rv),
-                ARRAY(d->ra), d->sensor);
+  maggi_reactions(t, ARRAY(d->x), ARRAY(d->FSr), d->wrench);
+  maggi_sensors(t, d->p, d->origin, d->spring0, d->q, d->v, ARRAY(d->A), ARRAY(d->x), ARRAY(d->r),
+                ARRAY(d->Z), ARRAY(d->rv), ARRAY(d->Za), ARRAY(d->ra), d->lambda, d->sensor);
   d->fresh = MAGGI_FRESH;
 }
 

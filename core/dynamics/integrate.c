@@ -31,38 +31,33 @@ static size_t bytes(const maggi_data *d)
   return (size_t)d->t.nq * sizeof(double);
 }
 
-static void copy_node(const maggi_data *d, maggi_node *to, const maggi_node *from)
+static maggi_node node_at(const maggi_data *d, maggi_place place)
 {
-  memcpy(to->q, from->q, bytes(d));
-  memcpy(to->v, from->v, bytes(d));
-  memcpy(to->a, from->a, bytes(d));
-  to->time = from->time;
-  to->work = from->work;
-  to->power = from->power;
-}
-
-/* the present evaluation */
-static maggi_node present(const maggi_data *d)
-{
+  if (place == MAGGI_START) return d->start;
+  if (place == MAGGI_NODE) return d->node;
   return (maggi_node){d->time, d->work, d->power[0], d->q, d->v, d->a};
 }
 
-static void save(maggi_data *d, maggi_node *node)
+static void copy(maggi_data *d, maggi_place to, maggi_place from)
 {
-  maggi_node now = present(d);
+  maggi_node source = node_at(d, from), target = node_at(d, to);
 
-  copy_node(d, node, &now);
-}
-
-static void load_node(maggi_data *d)
-{
-  maggi_node now = present(d);
-
-  copy_node(d, &now, &d->node);
-  d->time = now.time;
-  d->work = now.work;
-  d->power[0] = now.power;
-  d->is_ahead = 0;
+  memcpy(target.q, source.q, bytes(d));
+  memcpy(target.v, source.v, bytes(d));
+  memcpy(target.a, source.a, bytes(d));
+  source.q = target.q;
+  source.v = target.v;
+  source.a = target.a;
+  if (to == MAGGI_START) {
+    d->start = source;
+  } else if (to == MAGGI_NODE) {
+    d->node = source;
+  } else {
+    d->time = source.time;
+    d->work = source.work;
+    d->power[0] = source.power;
+  }
+  if (d->follower) d->follower->copy(d->follower, to, from);
 }
 
 static int finish_stage(const maggi_data *d, int careful)
@@ -75,7 +70,7 @@ static int finish_stage(const maggi_data *d, int careful)
 static int stage(maggi_data *d, double weight, double ahead, double time, int careful)
 {
   const maggi_topo *t = &d->t;
-  int i;
+  int i, status;
 
   for (i = 0; i < t->nq; ++i) {
     d->dqs[i] += weight * d->v[i];
@@ -86,7 +81,9 @@ static int stage(maggi_data *d, double weight, double ahead, double time, int ca
     d->vcol[i] = d->v0[t->colq[i]] + ahead * d->acol[i];
   }
   maggi_evaluate(d, time);
-  return finish_stage(d, careful);
+  status = finish_stage(d, careful);
+  if (status != MAGGI_OK || !d->follower) return status;
+  return (int)d->follower->stage(d->follower, weight, ahead, time);
 }
 
 /* the independent coordinates have become bad ones */
@@ -103,7 +100,7 @@ static maggi_status renew(maggi_data *d, double time)
   d->changes += changed;
   d->replan_below = changed ? MAGGI_RENEW_BELOW : 0.5 * d->pivot_ratio;
   maggi_evaluate(d, time);
-  return MAGGI_OK;
+  return d->follower ? d->follower->renewed(d->follower, time) : MAGGI_OK;
 }
 
 /* one step from the start saved before; SINGULAR when careful and a stage or the end falls there */
@@ -111,8 +108,10 @@ static int advance(maggi_data *d, double h, int careful)
 {
   const maggi_topo *t = &d->t;
   double time = d->start.time, work = d->start.power;
+  long projections = d->projections;
   int status, i;
 
+  if (d->follower) d->follower->begin(d->follower);
   memcpy(d->v, d->v0, bytes(d));
   for (i = 0; i < t->nind; ++i) d->acol[i] = d->a0[t->colq[i]];
   memset(d->dqs, 0, bytes(d));
@@ -133,6 +132,10 @@ static int advance(maggi_data *d, double h, int careful)
   maggi_evaluate(d, time + h);
   status = finish_stage(d, careful);
   if (status != MAGGI_OK) return status;
+  if (d->follower) {
+    status = (int)d->follower->end(d->follower, h, time + h, d->projections > projections);
+    if (status != MAGGI_OK) return status;
+  }
   d->pivot_ratio = d->stage_ratio;
   if (d->pivot_ratio > 2.0 * MAGGI_RENEW_BELOW) d->replan_below = MAGGI_RENEW_BELOW;
   if (t->ndep > 0 && d->pivot_ratio < d->replan_below) {
@@ -147,28 +150,42 @@ static int advance(maggi_data *d, double h, int careful)
   return MAGGI_OK;
 }
 
+void maggi_quintic(double s, double H, double c[3][6])
+{
+  double s2 = s * s, s3 = s * s2;
+
+  c[0][1] = H * (s - s3 * (6.0 - s * (8.0 - 3.0 * s)));
+  c[0][2] = 0.5 * H * H * (s2 - s3 * (3.0 - s * (3.0 - s)));
+  c[0][3] = s3 * (10.0 - s * (15.0 - 6.0 * s));
+  c[0][4] = -H * s3 * (4.0 - s * (7.0 - 3.0 * s));
+  c[0][5] = 0.5 * H * H * s3 * (1.0 - s * (2.0 - s));
+  c[1][1] = 1.0 - s2 * (18.0 - s * (32.0 - 15.0 * s));
+  c[1][2] = 0.5 * H * (2.0 * s - s2 * (9.0 - s * (12.0 - 5.0 * s)));
+  c[1][3] = s2 * (30.0 - s * (60.0 - 30.0 * s)) / H;
+  c[1][4] = -s2 * (12.0 - s * (28.0 - 15.0 * s));
+  c[1][5] = 0.5 * H * s2 * (3.0 - s * (8.0 - 5.0 * s));
+  c[2][1] = -s * (36.0 - s * (96.0 - 60.0 * s)) / H;
+  c[2][2] = 0.5 * (2.0 - s * (18.0 - s * (36.0 - 20.0 * s)));
+  c[2][3] = s * (60.0 - s * (180.0 - 120.0 * s)) / (H * H);
+  c[2][4] = -s * (24.0 - s * (84.0 - 60.0 * s)) / H;
+  c[2][5] = 0.5 * s * (6.0 - s * (24.0 - 20.0 * s));
+  c[0][0] = 1.0 - c[0][3];
+  c[1][0] = -c[1][3];
+  c[2][0] = -c[2][3];
+}
+
 /* state of `time` between the start and the end of the last step */
 static void interpolate(maggi_data *d, double time)
 {
-  const maggi_topo *t = &d->t;
   double H = d->node.time - d->start.time, s = (time - d->start.time) / H;
-  double dq, c3, c4, c5, e0, e1, e2;
-  int i;
+  double c[3][6], e0, e1, e2, *x[3] = {d->q, d->v, d->a};
+  int i, k;
 
-  for (i = 0; i < t->nq; ++i) {
-    /* q = q0 + v0 H s + a0 H^2 s^2/2 + c3 s^3 + c4 s^4 + c5 s^5 */
-    dq = d->qn[i] - d->q0[i] - H * (d->v0[i] + 0.5 * H * d->a0[i]);
-    e0 = dq;
-    e1 = H * (d->vn[i] - d->v0[i] - H * d->a0[i]);
-    e2 = H * H * (d->an[i] - d->a0[i]);
-    c3 = 10.0 * e0 - 4.0 * e1 + 0.5 * e2;
-    c4 = -15.0 * e0 + 7.0 * e1 - e2;
-    c5 = 6.0 * e0 - 3.0 * e1 + 0.5 * e2;
-    d->q[i] =
-        d->q0[i] + s * (H * d->v0[i] + s * (0.5 * H * H * d->a0[i] + s * (c3 + s * (c4 + s * c5))));
-    d->v[i] = d->v0[i] + s * H * d->a0[i] + s * s * (3.0 * c3 + s * (4.0 * c4 + s * 5.0 * c5)) / H;
-    d->a[i] = d->a0[i] + s * (6.0 * c3 + s * (12.0 * c4 + s * 20.0 * c5)) / (H * H);
-  }
+  maggi_quintic(s, H, c);
+  for (k = 0; k < 3; ++k)
+    for (i = 0; i < d->t.nq; ++i)
+      x[k][i] = c[k][0] * d->q0[i] + c[k][1] * d->v0[i] + c[k][2] * d->a0[i] + c[k][3] * d->qn[i] +
+                c[k][4] * d->vn[i] + c[k][5] * d->an[i];
   maggi_evaluate_given(d, time);
   e0 = d->node.work - d->start.work;
   e1 = H * d->start.power;
@@ -177,6 +194,7 @@ static void interpolate(maggi_data *d, double time)
   d->time = time;
   d->pivot_ratio = d->stage_ratio;
   d->is_ahead = 1;
+  if (d->follower) d->follower->interpolate(d->follower, (void *)c);
 }
 
 /* two parts that both keep away from the singular position; the node keeps the start meanwhile */
@@ -185,14 +203,14 @@ static int advance_in_parts(maggi_data *d, double h)
   int status = SINGULAR;
   size_t i;
 
-  copy_node(d, &d->node, &d->start);
+  copy(d, MAGGI_NODE, MAGGI_START);
   for (i = 0; i < sizeof first_part / sizeof *first_part && status == SINGULAR; ++i) {
     status = advance(d, first_part[i] * h, 1);
     if (status == MAGGI_OK) {
-      save(d, &d->start);
+      copy(d, MAGGI_START, MAGGI_PRESENT);
       status = advance(d, d->node.time + h - d->start.time, 1);
     }
-    if (status == SINGULAR) copy_node(d, &d->start, &d->node);
+    if (status == SINGULAR) copy(d, MAGGI_START, MAGGI_NODE);
   }
   return status;
 }
@@ -206,7 +224,7 @@ static int advance_beyond(maggi_data *d, double h)
   for (i = 0; i < sizeof beyond / sizeof *beyond && status == SINGULAR; ++i)
     status = advance(d, (1.0 + beyond[i]) * h, 1);
   if (status == MAGGI_OK) {
-    save(d, &d->node);
+    copy(d, MAGGI_NODE, MAGGI_PRESENT);
     interpolate(d, time);
   }
   return status;
@@ -227,10 +245,11 @@ maggi_status maggi_step(maggi_data *d, double h)
       interpolate(d, time);
       return MAGGI_OK;
     }
-    load_node(d);
+    copy(d, MAGGI_PRESENT, MAGGI_NODE);
+    d->is_ahead = 0;
   }
   d->ready = 0;
-  save(d, &d->start);
+  copy(d, MAGGI_START, MAGGI_PRESENT);
   rest = time - d->time;
   d->careless -= d->careless > 0;
   status = advance(d, rest, d->careless == 0);

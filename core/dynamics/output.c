@@ -39,19 +39,11 @@ void maggi_get_drives(maggi_data *d, double *drives)
 
 void maggi_get_reactions(maggi_data *d, double *wrenches)
 {
-  int i, j, k;
-  double moment[3], *w;
+  int i, k;
 
   maggi_results(d);
-  for (i = 0; i < d->m->nbody; ++i) {
-    j = d->m->body[i].body;
-    w = wrenches + 6 * i;
-    maggi_cross(d->x[j], d->FSr[j], moment);
-    for (k = 0; k < 3; ++k) {
-      w[k] = -d->FSr[j][k];
-      w[k + 3] = moment[k] - d->FSr[j][k + 3];
-    }
-  }
+  for (i = 0; i < d->m->nbody; ++i)
+    for (k = 0; k < 6; ++k) wrenches[6 * i + k] = d->wrench[d->m->body[i].body][k];
 }
 
 void maggi_get_multipliers(maggi_data *d, double *lambda)
@@ -64,14 +56,51 @@ void maggi_get_multipliers(maggi_data *d, double *lambda)
 
 void maggi_get_energy(maggi_data *d, maggi_energy *energy)
 {
-  double e[1];
-
-  maggi_kinetic_energy(&d->t, d->p, (void *)d->I, (void *)d->Z, (void *)d->rv, e);
-  energy->kinetic = e[0];
+  maggi_kinetic_energy(&d->t, d->p, (void *)d->I, (void *)d->Z, (void *)d->rv, d->kinetic);
   maggi_potential_energy(&d->t, d->p, d->origin, (void *)d->body0, d->spring0, d->q, (void *)d->A,
-                         (void *)d->x, (void *)d->r, e);
-  energy->potential = e[0];
+                         (void *)d->x, (void *)d->r, d->potential);
+  energy->kinetic = d->kinetic[0];
+  energy->potential = d->potential[0];
   energy->work = d->work;
+}
+
+/* what maggi_results and maggi_get_energy have computed, or the state itself */
+static double signal_value(const maggi_data *d, maggi_signal_place s)
+{
+  switch (s.kind) {
+  case MAGGI_SIGNAL_POSITION:
+    return d->q[s.index];
+  case MAGGI_SIGNAL_VELOCITY:
+    return d->v[s.index];
+  case MAGGI_SIGNAL_ACCELERATION:
+    return d->a[s.index];
+  case MAGGI_SIGNAL_KINETIC:
+    return d->kinetic[0];
+  case MAGGI_SIGNAL_POTENTIAL:
+    return d->potential[0];
+  case MAGGI_SIGNAL_TOTAL:
+    return d->kinetic[0] + d->potential[0];
+  case MAGGI_SIGNAL_WRENCH:
+    return d->wrench[s.index / 6][s.index % 6];
+  default:
+    return d->sensor[s.index / 3][s.index % 3];
+  }
+}
+
+void maggi_get_signals(maggi_data *d, int n, const int *signal, double *values)
+{
+  maggi_signal_place s;
+  maggi_energy energy;
+  int i, has_energy = 0;
+
+  for (i = 0; i < n; ++i) {
+    s = maggi_signal_at(d->m, signal[i]);
+    if (s.kind >= MAGGI_SIGNAL_WRENCH)
+      maggi_results(d);
+    else if (s.kind >= MAGGI_SIGNAL_KINETIC && !has_energy++)
+      maggi_get_energy(d, &energy);
+    values[i] = signal_value(d, s);
+  }
 }
 
 void maggi_get_loop_state(const maggi_data *d, maggi_loop_state *state)

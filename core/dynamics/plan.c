@@ -298,6 +298,11 @@ static maggi_status compile(maggi_data *d)
   return MAGGI_OK;
 }
 
+void maggi_plan_restart(maggi_data *d)
+{
+  maggi_planner_sort(&d->t, d->planner->order);
+}
+
 maggi_status maggi_plan(maggi_data *d, int avoid, double threshold)
 {
   maggi_status status = maggi_choose(d, avoid, threshold);
@@ -343,13 +348,12 @@ maggi_status maggi_plan_renew(maggi_data *d, int *changed)
 {
   maggi_planner *pl = d->planner;
   maggi_status status;
-  size_t size = (size_t)d->t.nq * sizeof(int);
-  int i, dep, island;
+  int dep, island;
   double old, ratio;
 
   old = maggi_smallest_pivot(d, &ratio, &dep);
   island = dep < 0 ? -1 : pl->loopisland[pl->owner[d->t.dep[dep]]];
-  memcpy(pl->previous, pl->owner, size);
+  memcpy(pl->previous, pl->owner, (size_t)d->t.nq * sizeof(int));
   memcpy(pl->previous_order, pl->order, (size_t)d->t.nloop * sizeof(int));
   memcpy(pl->previous_island, pl->loopisland, (size_t)d->t.nloop * sizeof(int));
   memcpy(d->piv1, d->piv0, (size_t)d->t.nq * sizeof(double));
@@ -361,12 +365,57 @@ maggi_status maggi_plan_renew(maggi_data *d, int *changed)
   if (status != MAGGI_OK || *changed) return status;
 
   /* nothing better: back to what was */
-  memcpy(pl->order, pl->previous_order, (size_t)d->t.nloop * sizeof(int));
-  memcpy(pl->owner, pl->previous, size);
-  for (i = 0; i < d->t.nloop; ++i) pl->rank[i] = 0;
-  for (i = 0; i < d->t.nq; ++i)
+  return maggi_plan_load(d, &(maggi_saved_plan){pl->previous, pl->previous_order, d->piv1});
+}
+
+/* ------------------------------------------------------------------------------ saved and loaded */
+
+size_t maggi_saved_plan_size(const maggi_topo *t)
+{
+  size_t ints = (size_t)(t->nq + t->nloop) * sizeof(int);
+
+  return (size_t)t->nq * sizeof(double) + (ints + 7) / 8 * 8;
+}
+
+void maggi_saved_plan_place(maggi_saved_plan *saved, const maggi_topo *t, void *memory)
+{
+  saved->piv0 = memory;
+  saved->owner = (int *)(saved->piv0 + t->nq);
+  saved->order = saved->owner + t->nq;
+}
+
+void maggi_plan_save(const maggi_data *d, const maggi_saved_plan *saved)
+{
+  const maggi_planner *pl = d->planner;
+  const maggi_topo *t = &d->t;
+
+  memcpy(saved->owner, pl->owner, (size_t)t->nq * sizeof(int));
+  memcpy(saved->order, pl->order, (size_t)t->nloop * sizeof(int));
+  memcpy(saved->piv0, d->piv0, (size_t)t->nq * sizeof(double));
+}
+
+int maggi_plan_is_saved(const maggi_data *d, const maggi_saved_plan *saved)
+{
+  const maggi_planner *pl = d->planner;
+  const maggi_topo *t = &d->t;
+
+  return memcmp(saved->owner, pl->owner, (size_t)t->nq * sizeof(int)) == 0 &&
+         memcmp(saved->order, pl->order, (size_t)t->nloop * sizeof(int)) == 0;
+}
+
+maggi_status maggi_plan_load(maggi_data *d, const maggi_saved_plan *saved)
+{
+  maggi_planner *pl = d->planner;
+  const maggi_topo *t = &d->t;
+  maggi_status status;
+  int i;
+
+  memcpy(pl->order, saved->order, (size_t)t->nloop * sizeof(int));
+  memcpy(pl->owner, saved->owner, (size_t)t->nq * sizeof(int));
+  for (i = 0; i < t->nloop; ++i) pl->rank[i] = 0;
+  for (i = 0; i < t->nq; ++i)
     if (pl->owner[i] >= 0) ++pl->rank[pl->owner[i]];
   status = compile(d);
-  memcpy(d->piv0, d->piv1, (size_t)d->t.nq * sizeof(double));
+  memcpy(d->piv0, saved->piv0, (size_t)t->nq * sizeof(double));
   return status;
 }

@@ -47,7 +47,8 @@ struct maggi_planner {
 #undef X
 };
 
-/* planner.c: lists of integers; false when out of memory */
+/* planner.c: the order of loops at first; lists of integers, false when out of memory */
+void maggi_planner_sort(const maggi_topo *t, int *order);
 int maggi_sized(maggi_ints *list, int n, int value); /* n integers set to value */
 int maggi_push_int(maggi_ints *list, int value);
 

@@ -39,7 +39,7 @@ static int *ints(int n)
 }
 
 /* loops by the length of their path, in the order of the file among equals */
-static void sort_loops(const maggi_topo *t, int *order)
+void maggi_planner_sort(const maggi_topo *t, int *order)
 {
   int length, n = 0, loop, longest = 0;
 
@@ -109,7 +109,7 @@ maggi_status maggi_planner_create(const maggi_model *m, maggi_planner **planner)
     maggi_planner_free(pl);
     return MAGGI_E_MEMORY;
   }
-  sort_loops(t, pl->order);
+  maggi_planner_sort(t, pl->order);
   for (i = 0; i < t->nprim; ++i) pl->loopprim[t->primloop[i] + 1] = i + 1;
   *planner = pl;
   return MAGGI_OK;

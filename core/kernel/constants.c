@@ -185,6 +185,19 @@ void maggi_inertia_constants(const maggi_topo *t, const double p[t->np], double 
          body0[t->lumpbody[i]]);
 }
 
+/* of a point, or the middle between two when the second address is not -1 */
+static void middle(int np, const double p[np], int adr, int adr2, double c[3])
+{
+  int k;
+
+  for (k = 0; k < 3; ++k) {
+    if (adr2 >= 0)
+      c[k] = 0.5 * (p[adr + k] + p[adr2 + k]);
+    else
+      c[k] = p[adr + k];
+  }
+}
+
 static double distance(int np, const double p[np], int adra, int adrb)
 {
   double x, y, z;
@@ -200,16 +213,17 @@ void maggi_point_constants(const maggi_topo *t, const double p[t->np], const dou
                            double point0[t->npoint][3], double dir0[t->ndir][3],
                            double prim0[t->nprim], double spring0[t->nspring])
 {
-  int i, k, adr, ref;
+  int i, k, ref;
+  double c[3];
 
   for (i = 0; i < t->npoint; ++i) {
-    adr = t->pointadr[i];
+    middle(t->np, p, t->pointadr[i], t->pointadr2[i], c);
     for (k = 0; k < 3; ++k) {
       if (t->pointbody[i] == t->nbody) {
-        point0[i][k] = p[adr + k] - origin[k];
+        point0[i][k] = c[k] - origin[k];
       } else {
         ref = t->jpointadr[t->pointbody[i]];
-        point0[i][k] = p[adr + k] - p[ref + k];
+        point0[i][k] = c[k] - p[ref + k];
       }
     }
   }

@@ -1,25 +1,9 @@
-/* Springs, dampers and loads.  [1] 3.5-3.9.
+/* Springs, dampers and loads: what they exert.  [1] 3.5-3.9.
  *
  * Wrenches at P on bodies, torques or forces on coordinates, and the power of what takes energy out
  * of the model or feeds it in (dampers, loads); springs store theirs. */
 #include "kernel.h"
 #include "maggi/maggi.h"
-
-/* four slopes: rebound c1 up to v11, then c2; compression c3 down to v22, then c4 */
-static double slopes(double c1, double c2, double c3, double c4, double v11, double v22, double v)
-{
-  double f;
-
-  if (MAGGI_RE(v) > MAGGI_RE(v11))
-    f = c1 * v11 + c2 * (v - v11);
-  else if (MAGGI_RE(v) > 0.0)
-    f = c1 * v;
-  else if (MAGGI_RE(v) > MAGGI_RE(v22))
-    f = c3 * v;
-  else
-    f = c3 * v22 + c4 * (v - v22);
-  return f;
-}
 
 static void pull(double f, const double u[3], const double ra[3], const double rb[3], double Fa[6],
                  double Fb[6])
@@ -33,40 +17,6 @@ static void pull(double f, const double u[3], const double ra[3], const double r
   }
   maggi_wrench_add(back, ra, Fa);
   maggi_wrench_add(force, rb, Fb);
-}
-
-/* u from b to a; elastic and damping force, tension positive */
-static void spring(int adr, int preload, int withslopes, int np, const double p[np], double l0,
-                   const double ra[3], const double rb[3], const double va[3], const double vb[3],
-                   double u[3], double f[2], double rate[1])
-{
-  int k;
-  double l, lv, damping;
-  double e[3], ev[3], n[3];
-
-  for (k = 0; k < 3; ++k) {
-    e[k] = ra[k] - rb[k];
-    ev[k] = va[k] - vb[k];
-  }
-  l = sqrt(maggi_dot(e, e));
-  n[0] = e[0] / l;
-  n[1] = e[1] / l;
-  n[2] = e[2] / l;
-  lv = maggi_dot(n, ev);
-  damping = p[adr + MAGGI_SPRING_C] * lv;
-  if (preload)
-    f[0] = p[adr + MAGGI_SPRING_K] * (l - l0) + p[adr + MAGGI_SPRING_L];
-  else
-    f[0] = p[adr + MAGGI_SPRING_K] * (l - p[adr + MAGGI_SPRING_L]);
-  k = adr + MAGGI_SPRING_SLOPES;
-  if (withslopes)
-    f[1] = damping + slopes(p[k], p[k + 1], p[k + 2], p[k + 3], p[k + 4], p[k + 5], lv);
-  else
-    f[1] = damping;
-  u[0] = n[0];
-  u[1] = n[1];
-  u[2] = n[2];
-  rate[0] = lv;
 }
 
 static void load_value(int kind, int np, const double p[np], int adr, double s, const double A[9],
@@ -129,8 +79,8 @@ void maggi_element_forces(const maggi_topo *t, const double p[t->np], const doub
                           double tau[t->nq], double power[1])
 {
   int i, k, a, b, adr;
-  double z, zv, s, torque;
-  double u[3], f[2], rate[1], g[3], zero[3];
+  double s;
+  double u[3], z[2], f[2], torque[1], g[3], zero[3];
 
   power[0] = 0.0;
   for (i = 0; i <= t->nbody; ++i)
@@ -141,28 +91,20 @@ void maggi_element_forces(const maggi_topo *t, const double p[t->np], const doub
   for (i = 0; i < t->nspring; ++i) {
     a = t->springpa[i];
     b = t->springpb[i];
-    spring(t->springadr[i], t->springpreload[i], t->springslopes[i], t->np, p, spring0[i], r[a],
-           r[b], rv[a], rv[b], u, f, rate);
+    maggi_spring(t->springadr[i], t->springpreload[i], t->springslopes[i], t->np, p, spring0[i],
+                 r[a], r[b], rv[a], rv[b], u, z, f);
     pull(f[0] + f[1], u, r[a], r[b], Q[t->pointbody[a]], Q[t->pointbody[b]]);
-    power[0] -= f[1] * rate[0];
+    power[0] -= f[1] * z[1];
   }
 
   for (i = 0; i < t->njspring; ++i) {
     a = t->jspringq[i];
     b = t->jspringq2[i];
     adr = t->jspringadr[i];
-    if (b >= 0) {
-      z = q[a] - q[b];
-      zv = v[a] - v[b];
-    } else {
-      z = q[a];
-      zv = v[a];
-    }
-    torque = -p[adr + MAGGI_JSPRING_K] * (z - p[adr + MAGGI_JSPRING_REST]) -
-             p[adr + MAGGI_JSPRING_C] * zv - p[adr + MAGGI_JSPRING_PRELOAD];
-    tau[a] += torque;
-    if (b >= 0) tau[b] -= torque;
-    power[0] -= p[adr + MAGGI_JSPRING_C] * zv * zv;
+    maggi_joint_spring(a, b, adr, t->np, p, t->nq, q, v, z, torque);
+    tau[a] += torque[0];
+    if (b >= 0) tau[b] -= torque[0];
+    power[0] -= p[adr + MAGGI_JSPRING_C] * z[1] * z[1];
   }
 
   for (i = 0; i < t->nforce; ++i) {

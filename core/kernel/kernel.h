@@ -126,6 +126,13 @@ void maggi_composite_inertias(const maggi_topo *t, const double p[t->np],
 void maggi_accumulate(const maggi_topo *t, const double F[t->nbody + 1][6],
                       const double Q[t->nbody + 1][6], double FS[t->nbody + 1][6]);
 
+/* spring.c: laws of springs and dampers */
+void maggi_spring(int adr, int preload, int withslopes, int np, const double p[np], double l0,
+                  const double ra[3], const double rb[3], const double va[3], const double vb[3],
+                  double u[3], double z[2], double f[2]);
+void maggi_joint_spring(int a, int b, int adr, int np, const double p[np], int nq,
+                        const double q[nq], const double v[nq], double z[2], double torque[1]);
+
 /* element.c: springs, dampers, loads; Q on bodies, tau on coordinates, power of what dissipates or
  * feeds energy */
 void maggi_element_forces(const maggi_topo *t, const double p[t->np], const double fun[t->nfun][3],
@@ -166,6 +173,8 @@ void maggi_solve_mass(const maggi_topo *t, const double Mr[], const double fr[],
 void maggi_loop_forces(const maggi_topo *t, const double prim0[t->nprim],
                        const double r[t->npoint][3], const double dir[t->ndir][3],
                        const double lambda[t->nrow], double F[t->nbody + 1][6]);
+void maggi_reactions(const maggi_topo *t, const double x[t->nbody + 1][3],
+                     const double FS[t->nbody + 1][6], double wrench[t->nbody][6]);
 
 /* energy.c */
 void maggi_kinetic_energy(const maggi_topo *t, const double p[t->np], const double I[t->nbody][10],
@@ -179,8 +188,11 @@ void maggi_potential_energy(const maggi_topo *t, const double p[t->np], const do
 
 /* sensor.c */
 void maggi_sensors(const maggi_topo *t, const double p[t->np], const double origin[3],
+                   const double spring0[t->nspring], const double q[t->nq], const double v[t->nq],
                    const double A[t->nbody + 1][9], const double x[t->nbody + 1][3],
-                   const double r[t->npoint][3], const double rv[t->npoint][3],
-                   const double ra[t->npoint][3], double s[t->nsensor][3]);
+                   const double r[t->npoint][3], const double Z[t->nbody + 1][6],
+                   const double rv[t->npoint][3], const double Za[t->nbody + 1][6],
+                   const double ra[t->npoint][3], const double lambda[t->nrow],
+                   double s[t->nsensor][3]);
 
 #endif

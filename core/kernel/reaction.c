@@ -1,4 +1,5 @@
-/* Forces that the multipliers of the loops stand for.  FORMULATION 7, [1] 2.69-2.85. */
+/* Forces that the multipliers of the loops stand for, and reactions of joints.  FORMULATION 7, [1]
+ * 2.69-2.85. */
 #include "kernel.h"
 
 static void torque_add(const double torque[3], double F[6])
@@ -81,5 +82,21 @@ void maggi_loop_forces(const maggi_topo *t, const double prim0[t->nprim],
       carrier_torque(t->primrow[i], r[t->primpa[i]], r[t->primpb[i]], t->nrow, lambda, F[c]);
     else if (c < t->nbody && t->primkind[i] == MAGGI_PRIM_AXIS)
       carrier_torque(t->primrow[i], dir[t->primda[i]], dir[t->primdb[i]], t->nrow, lambda, F[c]);
+  }
+}
+
+/* what a joint exerts on its body, about the joint point: - FS, which is about P */
+void maggi_reactions(const maggi_topo *t, const double x[t->nbody + 1][3],
+                     const double FS[t->nbody + 1][6], double wrench[t->nbody][6])
+{
+  int i;
+
+  for (i = 0; i < t->nbody; ++i) {
+    wrench[i][0] = -FS[i][0];
+    wrench[i][1] = -FS[i][1];
+    wrench[i][2] = -FS[i][2];
+    wrench[i][3] = x[i][1] * FS[i][2] - x[i][2] * FS[i][1] - FS[i][3];
+    wrench[i][4] = x[i][2] * FS[i][0] - x[i][0] * FS[i][2] - FS[i][4];
+    wrench[i][5] = x[i][0] * FS[i][1] - x[i][1] * FS[i][0] - FS[i][5];
   }
 }

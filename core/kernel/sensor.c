@@ -1,4 +1,5 @@
-/* Sensors: position, velocity and acceleration of body points in global axes, angles of bodies. */
+/* Sensors, three numbers each: motion of body points in global axes, rotation of bodies, springs and
+ * rods. */
 #include "kernel.h"
 #include "maggi/maggi.h"
 
@@ -10,27 +11,97 @@ static void angles(const double A[9], double s[3])
   s[2] = atan2(A[3], A[0]);
 }
 
-/* ra carries minus gravity; p begins with gravity */
-void maggi_sensors(const maggi_topo *t, const double p[t->np], const double origin[3],
-                   const double A[t->nbody + 1][9], const double x[t->nbody + 1][3],
-                   const double r[t->npoint][3], const double rv[t->npoint][3],
-                   const double ra[t->npoint][3], double s[t->nsensor][3])
+/* w = yaw' e_z + pitch' Rz e_y + roll' Rz Ry e_x,  A_0 = cos(pitch) cos(yaw), A_3 = cos(pitch) sin(yaw),
+ * A_6 = -sin(pitch) */
+static void angle_rates(const double A[9], const double Z[6], double s[3])
 {
-  int i, j, k;
+  double c2, roll;
+
+  c2 = A[0] * A[0] + A[3] * A[3];
+  roll = (A[0] * Z[3] + A[3] * Z[4]) / c2;
+  s[0] = roll;
+  s[1] = (A[0] * Z[4] - A[3] * Z[3]) / sqrt(c2);
+  s[2] = Z[5] - A[6] * roll;
+}
+
+/* distance of two points and its rate */
+static void span(const double ra[3], const double rb[3], const double va[3], const double vb[3],
+                 double z[2])
+{
+  int k;
+  double l;
+  double e[3], ev[3];
+
+  for (k = 0; k < 3; ++k) {
+    e[k] = ra[k] - rb[k];
+    ev[k] = va[k] - vb[k];
+  }
+  l = sqrt(maggi_dot(e, e));
+  z[0] = l;
+  z[1] = maggi_dot(e, ev) / l;
+}
+
+/* ra and Za carry minus gravity; p begins with gravity */
+void maggi_sensors(const maggi_topo *t, const double p[t->np], const double origin[3],
+                   const double spring0[t->nspring], const double q[t->nq], const double v[t->nq],
+                   const double A[t->nbody + 1][9], const double x[t->nbody + 1][3],
+                   const double r[t->npoint][3], const double Z[t->nbody + 1][6],
+                   const double rv[t->npoint][3], const double Za[t->nbody + 1][6],
+                   const double ra[t->npoint][3], const double lambda[t->nrow],
+                   double s[t->nsensor][3])
+{
+  int i, j, k, n, a, b;
+  double u[3], z[2], f[2], torque[1];
 
   for (i = 0; i < t->nsensor; ++i) {
-    j = t->sensorpoint[i];
-    if (t->sensorkind[i] == MAGGI_SENSOR_ANGLES) {
-      angles(A[t->sensorbody[i]], s[i]);
+    j = t->sensorbody[i];
+    k = t->sensorpoint[i];
+    n = t->sensorelement[i];
+    if (t->sensorkind[i] == MAGGI_SENSOR_POSITION) {
+      s[i][0] = r[k][0] - x[t->nbody][0] + origin[0];
+      s[i][1] = r[k][1] - x[t->nbody][1] + origin[1];
+      s[i][2] = r[k][2] - x[t->nbody][2] + origin[2];
+    } else if (t->sensorkind[i] == MAGGI_SENSOR_VELOCITY) {
+      s[i][0] = rv[k][0];
+      s[i][1] = rv[k][1];
+      s[i][2] = rv[k][2];
+    } else if (t->sensorkind[i] == MAGGI_SENSOR_ACCELERATION) {
+      s[i][0] = ra[k][0] + p[0];
+      s[i][1] = ra[k][1] + p[1];
+      s[i][2] = ra[k][2] + p[2];
+    } else if (t->sensorkind[i] == MAGGI_SENSOR_ANGLES) {
+      angles(A[j], s[i]);
+    } else if (t->sensorkind[i] == MAGGI_SENSOR_ANGLE_RATES) {
+      angle_rates(A[j], Z[j], s[i]);
+    } else if (t->sensorkind[i] == MAGGI_SENSOR_ANGULAR_VELOCITY) {
+      s[i][0] = Z[j][3];
+      s[i][1] = Z[j][4];
+      s[i][2] = Z[j][5];
+    } else if (t->sensorkind[i] == MAGGI_SENSOR_ANGULAR_ACCELERATION) {
+      s[i][0] = Za[j][3];
+      s[i][1] = Za[j][4];
+      s[i][2] = Za[j][5];
+    } else if (t->sensorkind[i] == MAGGI_SENSOR_SPRING) {
+      a = t->springpa[n];
+      b = t->springpb[n];
+      maggi_spring(t->springadr[n], t->springpreload[n], t->springslopes[n], t->np, p, spring0[n],
+                   r[a], r[b], rv[a], rv[b], u, z, f);
+      s[i][0] = z[0];
+      s[i][1] = z[1];
+      s[i][2] = f[0] + f[1];
+    } else if (t->sensorkind[i] == MAGGI_SENSOR_JOINT_SPRING) {
+      maggi_joint_spring(t->jspringq[n], t->jspringq2[n], t->jspringadr[n], t->np, p, t->nq, q, v,
+                         z, torque);
+      s[i][0] = z[0];
+      s[i][1] = z[1];
+      s[i][2] = torque[0];
     } else {
-      for (k = 0; k < 3; ++k) {
-        if (t->sensorkind[i] == MAGGI_SENSOR_POSITION)
-          s[i][k] = r[j][k] - x[t->nbody][k] + origin[k];
-        else if (t->sensorkind[i] == MAGGI_SENSOR_VELOCITY)
-          s[i][k] = rv[j][k];
-        else
-          s[i][k] = ra[j][k] + p[k];
-      }
+      a = t->primpa[n];
+      b = t->primpb[n];
+      span(r[a], r[b], rv[a], rv[b], z);
+      s[i][0] = z[0];
+      s[i][1] = z[1];
+      s[i][2] = lambda[t->primrow[n]];
     }
   }
 }

@@ -97,6 +97,7 @@ enum { MAGGI_DRAG_RHO, MAGGI_DRAG_C, MAGGI_DRAG_AREA, MAGGI_DRAG_LOW, MAGGI_DRAG
   X(massive, nmassive, "bodies with inertia")                                                      \
   X(pointbody, npoint, "body, nbody for the ground")                                               \
   X(pointadr, npoint, "address")                                                                   \
+  X(pointadr2, npoint, "address of a second one, the point being in the middle, -1 if none")       \
   X(dirbody, ndir, "body")                                                                         \
   X(dirkind, ndir, "MAGGI_DIR_..")                                                                 \
   X(diradr, ndir, "address")                                                                       \
@@ -151,7 +152,8 @@ enum { MAGGI_DRAG_RHO, MAGGI_DRAG_C, MAGGI_DRAG_AREA, MAGGI_DRAG_LOW, MAGGI_DRAG
   X(base, nbase, "bodies of the base chain")                                                       \
   X(sensorkind, nsensor, "maggi_sensor_type")                                                      \
   X(sensorbody, nsensor, "body")                                                                   \
-  X(sensorpoint, nsensor, "point")
+  X(sensorpoint, nsensor, "point")                                                                 \
+  X(sensorelement, nsensor, "spring, spring on coordinates, or building block of a rod")
 
 #define MAGGI_PLAN_SIZES(X)                                                                        \
   X(nind, "independent coordinates")                                                               \

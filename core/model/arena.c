@@ -30,6 +30,14 @@ char *maggi_arena_text(maggi_arena *arena, const char *text)
   return copy;
 }
 
+double *maggi_arena_numbers(maggi_arena *arena, const double *numbers, int n)
+{
+  double *copy = maggi_arena_alloc(arena, (size_t)n * sizeof *copy);
+
+  if (copy) memcpy(copy, numbers, (size_t)n * sizeof *copy);
+  return copy;
+}
+
 char *maggi_arena_format(maggi_arena *arena, const char *format, ...)
 {
   va_list args;

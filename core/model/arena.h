@@ -10,6 +10,7 @@ typedef struct maggi_arena {
 
 void *maggi_arena_alloc(maggi_arena *arena, size_t size); /* zeroed; NULL when out of memory */
 char *maggi_arena_text(maggi_arena *arena, const char *text);
+double *maggi_arena_numbers(maggi_arena *arena, const double *numbers, int n);
 char *maggi_arena_format(maggi_arena *arena, const char *format, ...);
 void maggi_arena_free(maggi_arena *arena);
 

@@ -7,6 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "definition.h"
+
 maggi_status maggi_builder_fail(maggi_builder *b, maggi_status status, const char *format, ...)
 {
   va_list args;
@@ -118,15 +120,6 @@ static int own_force(maggi_builder *b, maggi_force_def *d)
   return 1;
 }
 
-static int own_numbers(maggi_builder *b, const double **numbers, int n)
-{
-  double *copy = maggi_arena_alloc(&b->arena, (size_t)n * sizeof *copy);
-
-  if (copy) memcpy(copy, *numbers, (size_t)n * sizeof *copy);
-  *numbers = copy;
-  return copy != NULL;
-}
-
 static int own_function(maggi_builder *b, maggi_function_def *d)
 {
   if (d->type == MAGGI_FUNCTION_CONSTANT)
@@ -134,14 +127,27 @@ static int own_function(maggi_builder *b, maggi_function_def *d)
   else if (d->type == MAGGI_FUNCTION_SINE || d->type == MAGGI_FUNCTION_STEP)
     d->number = 4;
   if (d->type != MAGGI_FUNCTION_KNOTS && d->type != MAGGI_FUNCTION_SPLINE) d->times = NULL;
-  return own_numbers(b, &d->values, d->number) &&
-         (!d->times || own_numbers(b, &d->times, d->number));
+  d->values = maggi_arena_numbers(&b->arena, d->values, d->number);
+  if (!d->values || !d->times) return d->values != NULL;
+  d->times = maggi_arena_numbers(&b->arena, d->times, d->number);
+  return d->times != NULL;
 }
 
 static int own_sensor(maggi_builder *b, maggi_sensor_def *d)
 {
   OWN(body);
+  OWN(element);
   return 1;
+}
+
+static int own_objective(maggi_builder *b, maggi_objective_def *d)
+{
+  return maggi_objective_own(&b->arena, d);
+}
+
+static int own_design(maggi_builder *b, maggi_design_def *d)
+{
+  return maggi_design_own(&b->arena, d);
 }
 
 static void *grown(void *array, int n, int *capacity, size_t size)
@@ -166,6 +172,8 @@ static void *grown(void *array, int n, int *capacity, size_t size)
 #define SCOPE_force(d)        ""
 #define SCOPE_function(d)     ""
 #define SCOPE_sensor(d)       ""
+#define SCOPE_objective(d)    ""
+#define SCOPE_design(d)       ""
 
 #define ADD(kind, section)                                                                         \
   maggi_status maggi_builder_##kind(maggi_builder *b, const maggi_##kind##_def *def)               \
@@ -277,4 +285,17 @@ void maggi_function_def_init(maggi_function_def *def)
 void maggi_sensor_def_init(maggi_sensor_def *def)
 {
   memset(def, 0, sizeof *def);
+}
+
+void maggi_objective_def_init(maggi_objective_def *def)
+{
+  memset(def, 0, sizeof *def);
+}
+
+void maggi_design_def_init(maggi_design_def *def)
+{
+  memset(def, 0, sizeof *def);
+  def->nominal = NAN;
+  def->lower = -INFINITY;
+  def->upper = INFINITY;
 }

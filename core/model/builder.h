@@ -17,7 +17,9 @@ enum { MAGGI_MESSAGE_SIZE = 512 };
   X(joint_spring, joint_springs)                                                                   \
   X(force, forces)                                                                                 \
   X(function, functions)                                                                           \
-  X(sensor, sensors)
+  X(sensor, sensors)                                                                               \
+  X(objective, objectives)                                                                         \
+  X(design, design)
 
 struct maggi_builder {
   maggi_arena arena;

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "builder.h"
+#include "definition.h"
 
 int maggi_all_finite(const double *a, int n)
 {
@@ -248,5 +249,23 @@ maggi_status maggi_check_sensor(maggi_builder *b, const maggi_sensor_def *d)
   REQUIRE((int)d->type >= 0 && d->type < MAGGI_SENSOR_TYPE_COUNT, "sensors", d->name,
           "sensor type %d does not exist", (int)d->type);
   REQUIRE(maggi_all_finite(d->point, 3), "sensors", d->name, "point is not finite");
+  return MAGGI_OK;
+}
+
+maggi_status maggi_check_objective(maggi_builder *b, const maggi_objective_def *d)
+{
+  char text[200];
+
+  REQUIRE(maggi_objective_wrong(d, text, sizeof text) == MAGGI_OK, "objectives", d->name, "%s",
+          text);
+  return MAGGI_OK;
+}
+
+maggi_status maggi_check_design(maggi_builder *b, const maggi_design_def *d)
+{
+  char text[200];
+
+  REQUIRE(strcmp(d->name, "all") != 0, "design", d->name, "this name means all parameters");
+  REQUIRE(maggi_design_wrong(d, text, sizeof text) == MAGGI_OK, "design", d->name, "%s", text);
   return MAGGI_OK;
 }

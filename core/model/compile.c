@@ -144,6 +144,11 @@ maggi_status maggi_compile_function(maggi_compile *c, const char *section, const
                             name, function);
 }
 
+int maggi_compile_is_angle(const maggi_compile *c, int q)
+{
+  return c->joint.v[c->qbody.v[q]] == MAGGI_ONE_REVOLUTE;
+}
+
 int maggi_least_axis(const double a[3])
 {
   double x = a[0] * a[0], y = a[1] * a[1], z = a[2] * a[2];
@@ -160,6 +165,7 @@ int maggi_compile_point(maggi_compile *c, int body, int adr)
     if (c->pointbody.v[i] == body && c->pointadr.v[i] == adr) return i;
   PUSH(pointbody, body);
   PUSH(pointadr, adr);
+  PUSH(pointadr2, -1);
   return c->pointbody.n - 1;
 }
 
@@ -213,6 +219,7 @@ static maggi_status compile(maggi_compile *c)
   if (status == MAGGI_OK) status = maggi_compile_loops(c);
   if (status == MAGGI_OK) status = maggi_compile_elements(c);
   if (status == MAGGI_OK) status = maggi_compile_sensors(c);
+  if (status == MAGGI_OK) status = maggi_compile_signals(c->m);
   if (status == MAGGI_OK) status = check_parameters(c);
   if (status != MAGGI_OK) return status;
 
@@ -220,7 +227,8 @@ static maggi_status compile(maggi_compile *c)
   m->pathindex = maggi_arena_alloc(&m->arena, (size_t)m->nparameter * sizeof *m->pathindex);
   if (!m->pathindex) return MAGGI_E_MEMORY;
   sort_paths(m, m->pathindex);
-  return c->no_memory ? MAGGI_E_MEMORY : MAGGI_OK;
+  if (c->no_memory) return MAGGI_E_MEMORY;
+  return maggi_compile_definitions(c);
 }
 
 maggi_status maggi_model_create(maggi_builder *b, maggi_model **model)

@@ -41,6 +41,8 @@ maggi_status maggi_compile_coordinate(maggi_compile *c, const char *section, con
 maggi_status maggi_compile_function(maggi_compile *c, const char *section, const char *name,
                                     const char *function, int *id);
 int maggi_compile_point(maggi_compile *c, int body, int adr);
+/* Whether an internal coordinate is an angle. */
+int maggi_compile_is_angle(const maggi_compile *c, int q);
 
 /* Global axis that a leans on least: 0, 1, 2. */
 int maggi_least_axis(const double a[3]);
@@ -50,5 +52,7 @@ maggi_status maggi_compile_functions(maggi_compile *c);
 maggi_status maggi_compile_loops(maggi_compile *c);
 maggi_status maggi_compile_elements(maggi_compile *c);
 maggi_status maggi_compile_sensors(maggi_compile *c);
+maggi_status maggi_compile_signals(maggi_model *m); /* after all others but: */
+maggi_status maggi_compile_definitions(maggi_compile *c);
 
 #endif

@@ -1,4 +1,4 @@
-/* Functions of time, springs, loads and sensors. */
+/* Functions of time, springs and loads. */
 #include <math.h>
 
 #include "compile.h"
@@ -115,11 +115,6 @@ static maggi_status add_spring(maggi_compile *c, const maggi_spring_def *d)
   return MAGGI_OK;
 }
 
-static int is_angle(const maggi_compile *c, int q)
-{
-  return c->joint.v[c->qbody.v[q]] == MAGGI_ONE_REVOLUTE;
-}
-
 static maggi_status add_joint_spring(maggi_compile *c, const maggi_joint_spring_def *d)
 {
   static const char *const units[2][4] = {{"N/m", "N s/m", "m", "N"},
@@ -136,7 +131,7 @@ static maggi_status add_joint_spring(maggi_compile *c, const maggi_joint_spring_
   if (q == q2)
     return maggi_builder_fail(c->b, MAGGI_E_MODEL,
                               "joint_springs.%s: the two coordinates are the same", d->name);
-  unit = units[is_angle(c, q)];
+  unit = units[maggi_compile_is_angle(c, q)];
   adr = NUMBER(joint_springs, stiffness, unit[0], NONE);
   NUMBER(joint_springs, damping, unit[1], NONE);
   NUMBER(joint_springs, rest, unit[2], NONE);
@@ -169,8 +164,8 @@ static maggi_status add_force(maggi_compile *c, const maggi_force_def *d)
     return maggi_builder_fail(c->b, MAGGI_E_MODEL, "forces.%s: body and reaction are the same body",
                               d->name);
   if (d->type == MAGGI_FORCE_JOINT) {
-    adr = maggi_parameter_add(c, d->value[0], is_angle(c, q) ? "N m" : "N", MAGGI_BOUND_NONE,
-                              "forces.%s.value", d->name);
+    adr = maggi_parameter_add(c, d->value[0], maggi_compile_is_angle(c, q) ? "N m" : "N",
+                              MAGGI_BOUND_NONE, "forces.%s.value", d->name);
   } else if (d->type == MAGGI_FORCE_DRAG) {
     adr = NUMBER(forces, density, "kg/m^3", NOT_NEGATIVE);
     NUMBER(forces, coefficient, "-", NOT_NEGATIVE);
@@ -210,44 +205,4 @@ maggi_status maggi_compile_elements(maggi_compile *c)
   t->nforce = b->nforce;
   t->npoint = t->npointdyn = c->pointbody.n;
   return status;
-}
-
-maggi_status maggi_compile_sensors(maggi_compile *c)
-{
-  static const char *const axis[] = {"x", "y", "z"}, *const angle[] = {"roll", "pitch", "yaw"};
-  static const char *const unit[] = {"m", "m/s", "m/s^2", "rad"};
-  maggi_builder *b = c->b;
-  maggi_model *m = c->m;
-  maggi_status status;
-  size_t n = (size_t)b->nsensor * 3 + 1;
-  int i, k, body, adr, point;
-
-  m->sensorcolumn = maggi_arena_alloc(&m->arena, n * sizeof *m->sensorcolumn);
-  m->sensorunit = maggi_arena_alloc(&m->arena, n * sizeof *m->sensorunit);
-  if (!m->sensorcolumn || !m->sensorunit) return MAGGI_E_MEMORY;
-  for (i = 0; i < b->nsensor; ++i) {
-    const maggi_sensor_def *d = &b->sensor[i];
-
-    status = maggi_compile_link(c, "sensors", d->name, "body", d->body, &body);
-    if (status != MAGGI_OK) return status;
-    point = -1;
-    if (d->type != MAGGI_SENSOR_ANGLES) {
-      adr = maggi_parameter_add3(c, d->point, "m", "sensors.%s.point", d->name);
-      point = c->pointbody.n;
-      PUSH(pointbody, body);
-      PUSH(pointadr, adr);
-    }
-    PUSH(sensorkind, d->type);
-    PUSH(sensorbody, body);
-    PUSH(sensorpoint, point);
-    for (k = 0; k < 3; ++k) {
-      m->sensorcolumn[3 * i + k] = maggi_arena_format(
-          &m->arena, "%s.%s", d->name, d->type == MAGGI_SENSOR_ANGLES ? angle[k] : axis[k]);
-      m->sensorunit[3 * i + k] = unit[d->type];
-      if (!m->sensorcolumn[3 * i + k]) return MAGGI_E_MEMORY;
-    }
-  }
-  c->t->nsensor = b->nsensor;
-  c->t->npoint = c->pointbody.n;
-  return MAGGI_OK;
 }

@@ -85,7 +85,8 @@ static void add_parameters(maggi_compile *c, const maggi_body_def *d, addresses 
     adr->position[k] = maggi_parameter_add(c, d->position[k], unit, MAGGI_BOUND_INITIAL_POSITION,
                                            "bodies.%s.joint.position%s", d->name, dot);
     unit = chain[d->joint][k].kind == MAGGI_ONE_REVOLUTE ? "rad/s" : "m/s";
-    adr->velocity[k] = maggi_parameter_add(c, d->velocity[k], unit, MAGGI_BOUND_INITIAL_VELOCITY,
+    adr->velocity[k] = maggi_parameter_add(c, d->velocity_given[k] ? d->velocity[k] : 0.0, unit,
+                                           MAGGI_BOUND_INITIAL_VELOCITY,
                                            "bodies.%s.joint.velocity%s", d->name, dot);
   }
 }

@@ -113,6 +113,16 @@ double maggi_parameter_default(const maggi_model *m, int index)
   return in(index, m->nparameter) ? m->parameter[index].value : NAN;
 }
 
+const char *maggi_model_objective(const maggi_model *m, int index)
+{
+  return in(index, m->nobjective) ? m->objective[index].name : NULL;
+}
+
+const char *maggi_model_design(const maggi_model *m, int index)
+{
+  return in(index, m->ndesign) ? m->design[index].name : NULL;
+}
+
 const char *maggi_parameter_wrong(const maggi_parameter *p, double value)
 {
   if (!isfinite(value)) return "must be finite";

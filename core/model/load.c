@@ -153,22 +153,39 @@ static maggi_status read_all(const load_error *e, FILE *stream, char **bytes, si
   return MAGGI_E_FILE;
 }
 
+maggi_status maggi_load_read(const load_error *e, char **bytes, size_t *n)
+{
+  FILE *stream = fopen(e->file, "rb");
+  maggi_status status;
+
+  *bytes = NULL;
+  *n = 0;
+  if (!stream) {
+    maggi_load_fail(e, 0, "cannot be opened: %s", strerror(errno));
+    return MAGGI_E_FILE;
+  }
+  status = read_all(e, stream, bytes, n);
+  fclose(stream);
+  if (status == MAGGI_OK && *n > MAGGI_LOAD_MAX) {
+    maggi_load_fail(e, 0, "larger than %zu MB", MAGGI_LOAD_MAX >> 20);
+    status = MAGGI_E_FILE;
+  }
+  if (status == MAGGI_OK) return status;
+  free(*bytes);
+  *bytes = NULL;
+  *n = 0;
+  return status;
+}
+
 maggi_status maggi_model_load(const char *path, maggi_model **model, char *message, size_t nmessage)
 {
   const load_error e = {path, message, nmessage};
-  FILE *stream;
   char *bytes;
   size_t n;
   maggi_status status;
 
   *model = NULL;
-  stream = fopen(path, "rb");
-  if (!stream) {
-    maggi_load_fail(&e, 0, "cannot be opened: %s", strerror(errno));
-    return MAGGI_E_FILE;
-  }
-  status = read_all(&e, stream, &bytes, &n);
-  fclose(stream);
+  status = maggi_load_read(&e, &bytes, &n);
   if (status == MAGGI_OK)
     status = maggi_model_load_memory(path, bytes, n, model, message, nmessage);
   free(bytes);

@@ -141,6 +141,8 @@ static maggi_status add_entries(load_build *b, const load_model *file)
   ADD_ALL(joint_springs, maggi_load_joint_spring)
   ADD_ALL(forces, maggi_load_force)
   ADD_ALL(sensors, maggi_load_sensor)
+  ADD_ALL(objectives, maggi_load_objective)
+  ADD_ALL(design, maggi_load_design)
   return status;
 }
 

@@ -54,5 +54,7 @@ maggi_status maggi_load_joint_spring(const load_build *b, const load_joint_sprin
 maggi_status maggi_load_force(const load_build *b, const load_force *force);
 maggi_status maggi_load_function(const load_build *b, const load_function *f);
 maggi_status maggi_load_sensor(const load_build *b, const load_sensor *sensor);
+maggi_status maggi_load_objective(const load_build *b, const load_objective *objective);
+maggi_status maggi_load_design(const load_build *b, const load_design *design);
 
 #endif

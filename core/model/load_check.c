@@ -94,9 +94,10 @@ static maggi_status next(check *c, yaml_event_t *event)
 /* -------------------------------------------------------------------------------------- scalars */
 
 /* [sign] digits [. digits] [e [sign] digits], digits on one side of the point at least */
-static int is_decimal(const char *s)
+int maggi_load_is_decimal(const char *text)
 {
   static const char digits[] = "0123456789";
+  const char *s = text;
   size_t before, after = 0;
 
   s += *s == '+' || *s == '-';
@@ -134,7 +135,7 @@ static maggi_status check_scalar(check *c, const yaml_event_t *event,
     return fail(c, line, "a text with a NUL character");
   if (schema->type == CYAML_FLOAT && !(may_be_null && is_null(text))) {
     if (*text == '\0') return fail(c, line, "a number is missing");
-    if (!is_decimal(text)) return fail_quoting(c, line, text, "is not a number");
+    if (!maggi_load_is_decimal(text)) return fail_quoting(c, line, text, "is not a number");
     if (!isfinite(strtod(text, NULL))) return fail_quoting(c, line, text, "is too large");
   }
   if (strcmp(c->path, "format") == 0 && strcmp(text, MAGGI_LOAD_FORMAT) != 0)

@@ -241,11 +241,20 @@ maggi_status maggi_load_function(const load_build *b, const load_function *f)
 
 maggi_status maggi_load_sensor(const load_build *b, const load_sensor *sensor)
 {
-  static const char *const rules[MAGGI_SENSOR_TYPE_COUNT] = {[MAGGI_SENSOR_POSITION] = "r",
-                                                             [MAGGI_SENSOR_VELOCITY] = "r",
-                                                             [MAGGI_SENSOR_ACCELERATION] = "r",
-                                                             [MAGGI_SENSOR_ANGLES] = ""};
-  const load_key keys[] = {{KEY(sensor, point)}, {NULL, 0}};
+  /* body, point, element */
+  static const char *const rules[MAGGI_SENSOR_TYPE_COUNT] = {[MAGGI_SENSOR_POSITION] = "ro",
+                                                             [MAGGI_SENSOR_VELOCITY] = "ro",
+                                                             [MAGGI_SENSOR_ACCELERATION] = "ro",
+                                                             [MAGGI_SENSOR_ANGLES] = "r",
+                                                             [MAGGI_SENSOR_ANGLE_RATES] = "r",
+                                                             [MAGGI_SENSOR_ANGULAR_VELOCITY] = "r",
+                                                             [MAGGI_SENSOR_ANGULAR_ACCELERATION] =
+                                                                 "r",
+                                                             [MAGGI_SENSOR_SPRING] = "--r",
+                                                             [MAGGI_SENSOR_JOINT_SPRING] = "--r",
+                                                             [MAGGI_SENSOR_ROD] = "--r"};
+  const load_key keys[] = {
+      {KEY(sensor, body)}, {KEY(sensor, point)}, {KEY(sensor, element)}, {NULL, 0}};
   maggi_sensor_def def;
   int type;
   maggi_status status;
@@ -257,6 +266,8 @@ maggi_status maggi_load_sensor(const load_build *b, const load_sensor *sensor)
   def.name = sensor->name;
   def.type = (maggi_sensor_type)type;
   def.body = sensor->body;
+  def.at_cog = sensor->point == NULL;
   maggi_load_copy3(def.point, sensor->point);
+  def.element = sensor->element;
   return maggi_load_added(b, "", maggi_builder_sensor(b->builder, &def));
 }

@@ -5,7 +5,9 @@
  *   load_schema.c  the tables of keys, for load_check.c and for libcyaml, which fills load_model
  *   load_build.c   load_model -> maggi_builder -> maggi_model, with
  *   load_body.c    .. the bodies and
- *   load_element.c .. all other lists
+ *   load_element.c .. lists of the mechanism,
+ *   load_definition.c .. objectives and design parameters, with
+ *   load_record.c  .. the records of objectives, CSV
  *   load_line.c    line of an entry, for errors that are found later
  *
  * load_check.c does not leave checking to libcyaml because libcyaml 1.3 takes "1.0abc" and "1,5"
@@ -162,7 +164,38 @@ typedef struct load_sensor {
   char *type;
   char *body;
   double *point;
+  char *element;
 } load_sensor;
+
+typedef struct load_objective {
+  char *name;
+  char *type;
+  char *signal;
+  double *target;
+  double *sharpness;
+  double *times;
+  unsigned times_count;
+  double *values;
+  unsigned values_count;
+  char *file;
+  char *column;
+  char **terms;
+  unsigned terms_count;
+  double *weights;
+  unsigned weights_count;
+} load_objective;
+
+typedef struct load_design {
+  char *name;
+  char **parameters;
+  unsigned parameters_count;
+  double *factors;
+  unsigned factors_count;
+  double *nominal;
+  double *lower;
+  double *upper;
+  char *unit;
+} load_design;
 
 typedef struct load_simulation {
   double time;
@@ -192,6 +225,10 @@ typedef struct load_model {
   unsigned functions_count;
   load_sensor *sensors;
   unsigned sensors_count;
+  load_objective *objectives;
+  unsigned objectives_count;
+  load_design *design;
+  unsigned design_count;
 } load_model;
 
 #define MAGGI_LOAD_FORMAT  "maggi" /* of the key `format`, the first of a file */
@@ -205,6 +242,22 @@ maggi_status maggi_load_fail(const load_error *e, size_t line, const char *forma
 
 /* Check the text against the tables; status MAGGI_OK, MAGGI_E_MODEL, MAGGI_E_MEMORY. */
 maggi_status maggi_load_check(const load_error *e, const char *bytes, size_t n);
+
+/* Whether a text is a decimal number. */
+int maggi_load_is_decimal(const char *text);
+
+/* All bytes of e->file, NULL on failure, the caller's to free; status MAGGI_OK, MAGGI_E_MEMORY,
+ * MAGGI_E_FILE. */
+maggi_status maggi_load_read(const load_error *e, char **bytes, size_t *n);
+
+/* Columns `t` and `column` of the CSV file e->file; load_record_free in any case. */
+typedef struct load_record {
+  double *times, *values;
+  int n, cap;
+} load_record;
+
+maggi_status maggi_load_record(const load_error *e, const char *column, load_record *record);
+void maggi_load_record_free(load_record *record);
 
 /* Line of a path such as bodies[3].joint.axis or bodies.crank.joint: that of the deepest part of it
  * which exists, at least 1. */

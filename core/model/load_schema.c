@@ -22,6 +22,8 @@
 static const cyaml_schema_value_t real = {CYAML_VALUE_FLOAT(CYAML_FLAG_DEFAULT, double)};
 static const cyaml_schema_value_t real_or_null = {
     CYAML_VALUE_FLOAT(CYAML_FLAG_POINTER_NULL_STR, double)};
+static const cyaml_schema_value_t text = {
+    CYAML_VALUE_STRING(CYAML_FLAG_POINTER, char, 0, ANY_NUMBER)};
 static const cyaml_schema_value_t text_or_null = {
     CYAML_VALUE_STRING(CYAML_FLAG_POINTER_NULL_STR, char, 0, ANY_NUMBER)};
 
@@ -154,11 +156,40 @@ static const cyaml_schema_field_t function_keys[] = {
 static const cyaml_schema_value_t function = {
     CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, load_function, function_keys)};
 
-static const cyaml_schema_field_t sensor_keys[] = {TEXT(load_sensor, name), TEXT(load_sensor, type),
-                                                   TEXT(load_sensor, body),
-                                                   OPT_VEC3(load_sensor, point), CYAML_FIELD_END};
+static const cyaml_schema_field_t sensor_keys[] = {
+    TEXT(load_sensor, name),      TEXT(load_sensor, type),        OPT_TEXT(load_sensor, body),
+    OPT_VEC3(load_sensor, point), OPT_TEXT(load_sensor, element), CYAML_FIELD_END};
 static const cyaml_schema_value_t sensor = {
     CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, load_sensor, sensor_keys)};
+
+static const cyaml_schema_field_t objective_keys[] = {
+    TEXT(load_objective, name),
+    TEXT(load_objective, type),
+    OPT_TEXT(load_objective, signal),
+    OPT_REAL(load_objective, target),
+    OPT_REAL(load_objective, sharpness),
+    LIST(load_objective, times, real, 1, ANY_NUMBER),
+    LIST(load_objective, values, real, 1, ANY_NUMBER),
+    OPT_TEXT(load_objective, file),
+    OPT_TEXT(load_objective, column),
+    LIST(load_objective, terms, text, 1, ANY_NUMBER),
+    LIST(load_objective, weights, real, 1, ANY_NUMBER),
+    CYAML_FIELD_END};
+static const cyaml_schema_value_t objective = {
+    CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, load_objective, objective_keys)};
+
+static const cyaml_schema_field_t design_keys[] = {
+    TEXT(load_design, name),
+    CYAML_FIELD_SEQUENCE("parameters", CYAML_FLAG_POINTER, load_design, parameters, &text, 1,
+                         ANY_NUMBER),
+    LIST(load_design, factors, real, 1, ANY_NUMBER),
+    OPT_REAL(load_design, nominal),
+    OPT_REAL(load_design, lower),
+    OPT_REAL(load_design, upper),
+    OPT_TEXT(load_design, unit),
+    CYAML_FIELD_END};
+static const cyaml_schema_value_t design = {
+    CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, load_design, design_keys)};
 
 static const cyaml_schema_field_t simulation_keys[] = {
     ZERO(load_simulation, time), ZERO(load_simulation, step), CYAML_FIELD_END};
@@ -179,6 +210,8 @@ static const cyaml_schema_field_t model_keys[] = {
     MANY(load_model, forces, force),
     MANY(load_model, functions, function),
     MANY(load_model, sensors, sensor),
+    MANY(load_model, objectives, objective),
+    MANY(load_model, design, design),
     CYAML_FIELD_END};
 
 const cyaml_schema_value_t maggi_load_schema = {

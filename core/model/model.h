@@ -71,6 +71,33 @@ struct maggi_model {
   int *reach;            /* (nq) number of loops whose path holds the coordinate */
   const char **sensorcolumn;
   const char **sensorunit;
+  int nsignal;
+  const char **signalname;
+  const char **signalunit;
+  int nobjective;
+  maggi_objective_def *objective;
+  int ndesign;
+  maggi_design_def *design;
 };
+
+/* what a signal is, and which one */
+typedef enum maggi_signal_kind {
+  MAGGI_SIGNAL_POSITION,     /* internal coordinate */
+  MAGGI_SIGNAL_VELOCITY,     /* internal coordinate */
+  MAGGI_SIGNAL_ACCELERATION, /* internal coordinate */
+  MAGGI_SIGNAL_KINETIC,
+  MAGGI_SIGNAL_POTENTIAL,
+  MAGGI_SIGNAL_TOTAL,  /* kinetic + potential energy */
+  MAGGI_SIGNAL_WRENCH, /* 6 times the expanded body, and the component */
+  MAGGI_SIGNAL_SENSOR  /* column */
+} maggi_signal_kind;
+
+typedef struct maggi_signal_place {
+  maggi_signal_kind kind;
+  int index;
+} maggi_signal_place;
+
+/* signal.c */
+maggi_signal_place maggi_signal_at(const maggi_model *m, int signal);
 
 #endif

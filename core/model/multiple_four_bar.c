@@ -59,6 +59,29 @@ static maggi_status add_row(maggi_builder *b, int ny, int row)
   return status;
 }
 
+static maggi_status add_objectives(maggi_builder *b)
+{
+  static const struct {
+    const char *name, *signal;
+    maggi_objective_type type;
+  } list[] = {{"swing", "v_1_1.v", MAGGI_OBJECTIVE_INTEGRAL_SQUARE},
+              {"load", "v_1_1.fz", MAGGI_OBJECTIVE_RMS},
+              {"energy", "energy.kinetic", MAGGI_OBJECTIVE_MEAN},
+              {"turn", "h_1_1.q", MAGGI_OBJECTIVE_TERMINAL}};
+  maggi_objective_def def;
+  maggi_status status = MAGGI_OK;
+  size_t i;
+
+  for (i = 0; i < sizeof list / sizeof *list && status == MAGGI_OK; ++i) {
+    maggi_objective_def_init(&def);
+    def.name = list[i].name;
+    def.signal = list[i].signal;
+    def.type = list[i].type;
+    status = maggi_builder_objective(b, &def);
+  }
+  return status;
+}
+
 maggi_status maggi_model_multiple_four_bar(int ny, int nz, maggi_model **model)
 {
   static const maggi_simulation_def simulation = {5.0, 0.001};
@@ -76,6 +99,7 @@ maggi_status maggi_model_multiple_four_bar(int ny, int nz, maggi_model **model)
       maggi_builder_source(b, "Multiple four-bar mechanism of Callejo's thesis (2013), 4.6.2.");
   if (status == MAGGI_OK) status = maggi_builder_simulation(b, &simulation);
   for (row = 1; row <= nz && status == MAGGI_OK; ++row) status = add_row(b, ny, row);
+  if (status == MAGGI_OK) status = add_objectives(b);
   if (status == MAGGI_OK) status = maggi_model_create(b, model);
   maggi_builder_free(b);
   return status;

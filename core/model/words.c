@@ -11,7 +11,20 @@ static const char *const force_words[] = {"force",       "force_body", "torque",
                                           "torque_body", "joint",      "drag"};
 static const char *const function_words[] = {"constant", "polynomial", "sine",
                                              "step",     "knots",      "spline"};
-static const char *const sensor_words[] = {"position", "velocity", "acceleration", "angles"};
+static const char *const sensor_words[] = {"position",
+                                           "velocity",
+                                           "acceleration",
+                                           "angles",
+                                           "angle_rates",
+                                           "angular_velocity",
+                                           "angular_acceleration",
+                                           "spring",
+                                           "joint_spring",
+                                           "rod"};
+static const char *const objective_words[] = {
+    "integral", "integral_square", "mean", "mean_square",    "rms",   "rmq",      "vdv",
+    "maximum",  "minimum",         "peak", "smooth_maximum", "value", "terminal", "least_squares",
+    "sum"};
 static const int joint_dofs[] = {1, 1, 2, 2, 3, 3, 6, 0};
 
 static int find(const char *const words[], int n, const char *word)
@@ -38,6 +51,7 @@ WORDS(loop, MAGGI_LOOP_TYPE_COUNT)
 WORDS(force, MAGGI_FORCE_TYPE_COUNT)
 WORDS(function, MAGGI_FUNCTION_TYPE_COUNT)
 WORDS(sensor, MAGGI_SENSOR_TYPE_COUNT)
+WORDS(objective, MAGGI_OBJECTIVE_TYPE_COUNT)
 
 int maggi_joint_dof(maggi_joint_type type)
 {

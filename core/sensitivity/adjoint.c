@@ -20,6 +20,19 @@ void maggi_adjoint_rates(maggi_derivative *D, const maggi_companion *s)
   reverse_rates(D, s);
 }
 
+void maggi_adjoint_closure(maggi_derivative *D)
+{
+  const maggi_companion *s = &D->adjoint;
+  const maggi_topo *t = &D->d->t;
+  int i;
+
+  if (t->ndep == 0) return;
+  maggi_close_positions_b(D, s);
+  loop_residual(D, s);
+  reverse_placement(D, s);
+  for (i = 0; i < t->ndep; ++i) s->q[t->dep[i]] = 0.0;
+}
+
 void maggi_adjoint_motion(maggi_derivative *D)
 {
   maggi_adjoint_accelerations(D, &D->adjoint, NULL);

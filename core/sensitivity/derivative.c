@@ -45,7 +45,7 @@ void maggi_parameters_jvp(maggi_derivative *D, const double *p)
 }
 
 /* constants of the strip that holds the direction `first` */
-static void choose_strip(maggi_derivative *D, int first)
+void maggi_strip_choose(maggi_derivative *D, int first)
 {
   maggi_place_constants(&D->strip, &D->d->t,
                         D->strip.constants + (size_t)(first / MAGGI_NDIR) * D->strip.nconstants);
@@ -72,7 +72,7 @@ void maggi_parameters_jac(maggi_derivative *D, int n, int ld, const double *p)
   if (!p && D->kept_move)
     memset(D->strip.constants, 0, D->strip.nconstants * (size_t)D->nkept * sizeof(double));
   for (first = 0; p && first < n; first += MAGGI_NDIR) {
-    choose_strip(D, first);
+    maggi_strip_choose(D, first);
     for (i = 0; i < D->d->t.np; ++i)
       load_row(n - first, p + (size_t)i * (size_t)ld + first, D->strip.p + i * MAGGI_NDIR);
     maggi_strip_constants(D);
@@ -155,7 +155,7 @@ void maggi_state_jac(maggi_derivative *D, int n, int ld, const double *q, const 
   int first;
 
   for (first = 0; first < n; first += MAGGI_NDIR) {
-    choose_strip(D, first);
+    maggi_strip_choose(D, first);
     scatter_strip(D->d, n - first, ld, q ? q + first : NULL, D->strip.q);
     scatter_strip(D->d, n - first, ld, v ? v + first : NULL, D->strip.v);
     maggi_strip_motion(D);

@@ -43,6 +43,7 @@
   X(b, t->nbody * 6)                                                                               \
   X(r, t->npoint * 3)                                                                              \
   X(dir, t->ndir * 3)                                                                              \
+  X(res, t->nrow)                                                                                  \
   X(v, t->nq)                                                                                      \
   X(Z, (t->nbody + 1) * 6)                                                                         \
   X(Z0, (t->nbody + 1) * 6)                                                                        \
@@ -59,7 +60,11 @@
   X(lambda, t->nrow)                                                                               \
   X(Fr, (t->nbody + 1) * 6)                                                                        \
   X(FSr, (t->nbody + 1) * 6)                                                                       \
-  X(w, t->nq)
+  X(w, t->nq)                                                                                      \
+  X(wrench, t->nbody * 6)                                                                          \
+  X(sensor, t->nsensor * 3)                                                                        \
+  X(kinetic, 1)                                                                                    \
+  X(potential, 1)
 
 /* A derivative of every active array, of the same name; `width` numbers for each of its own. */
 typedef struct maggi_companion {
@@ -139,12 +144,17 @@ size_t maggi_place_constants(maggi_companion *s, const maggi_topo *t, double *at
 void maggi_tangent_constants(maggi_derivative *D);
 void maggi_tangent_motion(maggi_derivative *D);
 void maggi_tangent_forces(maggi_derivative *D);
+void maggi_strip_choose(maggi_derivative *D, int first); /* its constants: derivative.c */
 void maggi_strip_constants(maggi_derivative *D);
 void maggi_strip_motion(maggi_derivative *D);
+/* positions of dependent coordinates where loops were closed by them: out of the others, in place */
+void maggi_strip_closure(maggi_derivative *D);
 /* adjoint.c: back from adjoints of velocities and accelerations, all others zero; or the parts of it that
  * solve equations, omega_p as in implicit.h */
 void maggi_adjoint_motion(maggi_derivative *D);
 void maggi_adjoint_constants(maggi_derivative *D);
+/* back from the adjoints of all positions to those of the coordinates that are not dependent */
+void maggi_adjoint_closure(maggi_derivative *D);
 void maggi_adjoint_accelerations(maggi_derivative *D, const maggi_companion *s,
                                  const double *omega_p);
 void maggi_adjoint_rates(maggi_derivative *D, const maggi_companion *s);

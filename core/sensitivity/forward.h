@@ -30,18 +30,23 @@ static inline void guide(const maggi_topo *t, const maggi_companion *s, int orde
   }
 }
 
+/* positions that follow from those of the coordinates that are not dependent */
+static inline void forward_positions(maggi_derivative *D, const maggi_companion *s)
+{
+  functions(D, s);
+  guide(&D->d->t, s, 0, s->q);
+  positions(D, s);
+  points(D, s);
+  directions(D, s);
+}
+
 static inline void forward(maggi_derivative *D, const maggi_companion *s)
 {
   const maggi_data *d = D->d;
   const maggi_topo *t = &d->t;
   int i;
 
-  functions(D, s);
-  guide(t, s, 0, s->q);
-  positions(D, s);
-  points(D, s);
-  directions(D, s);
-
+  forward_positions(D, s);
   guide(t, s, 1, s->v);
   for (i = 0; i < t->ndep; ++i) zero(s->v + t->dep[i] * WIDTH);
   velocities(D, s);

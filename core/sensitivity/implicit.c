@@ -213,6 +213,20 @@ void maggi_multipliers_rest_d(maggi_derivative *D, const maggi_companion *s)
   for (i = 0; i < t->ndep; ++i) D->mu_d[t->dep[i]] -= D->range[t->dep[i]];
 }
 
+void maggi_multipliers_rest_dv(maggi_derivative *D, const maggi_companion *s)
+{
+  enum { W = MAGGI_NDIR };
+  const maggi_topo *t = &D->d->t;
+  int i, c;
+
+  for (c = 0; c < W; ++c) {
+    for (i = 0; i < t->nq; ++i) D->work[i] = s->w[i * W + c];
+    maggi_solve_transposed(D, D->work, D->mu_d, D->rows);
+    for (i = 0; i < t->islrow[t->nisland]; ++i)
+      s->lambda[D->rowloop[i] * W + c] += D->rows[D->rowloop[i]];
+  }
+}
+
 void maggi_remainders_d(maggi_derivative *D, const maggi_companion *s)
 {
   maggi_project_rows(D, s->rate, s->phi, D->d->rate);

@@ -25,6 +25,10 @@ void maggi_close_d(maggi_derivative *D, double sign, const double *y, const doub
 void maggi_close_dv(maggi_derivative *D, double sign, const double *y, const double *y_d,
                     const double *phi_d, double *x);
 
+/* The positions that projections and assembly find, G^T res = 0 with res = 0: the same equation, whatever
+ * moves the residual; -1 for the sign, NULL for y and phi_d.  Adjoint: s->res from s->q. */
+void maggi_close_positions_b(maggi_derivative *D, const maggi_companion *s);
+
 /* tangent of lambda = G mu as far as it matters for (3): s->lambda */
 void maggi_multipliers_d(maggi_derivative *D, const maggi_companion *s);
 void maggi_multipliers_dv(maggi_derivative *D, const maggi_companion *s);
@@ -36,10 +40,19 @@ void maggi_independents_dv(maggi_derivative *D, const maggi_companion *s);
 /* the tangents that only second derivatives need: of mu, with the rest of s->lambda; of rate and gama */
 void maggi_multipliers_rest_d(maggi_derivative *D, const maggi_companion *s);
 void maggi_remainders_d(maggi_derivative *D, const maggi_companion *s);
+/* The rest of s->lambda, added to what maggi_multipliers_dv has left there, where accelerations are
+ * given. */
+void maggi_multipliers_rest_dv(maggi_derivative *D, const maggi_companion *s);
 
 /* Adjoint of (3): s->w from s->a.  omega_p: what the adjoint of w must be on dependent coordinates
  * for an adjoint of mu; NULL if none. */
 void maggi_independents_b(maggi_derivative *D, const maggi_companion *s, const double *omega_p);
+
+/* Adjoint of lambda where it is a result: s->w on dependent coordinates such that, with what its
+ * sweep adds to s->lambda, G^T s->lambda = 0.  (3) holds, so that this may count for all forces. */
+void maggi_balance_multipliers_b(maggi_derivative *D, const maggi_companion *s);
+/* Then the adjoint of lambda = G mu goes on to G: s->lambda to s->phi. */
+void maggi_multipliers_b(maggi_derivative *D, const maggi_companion *s);
 
 /* Adjoints of (2) and (1): s->gama from s->a, s->rate from s->v, and their shares of s->phi. */
 void maggi_close_accelerations_b(maggi_derivative *D, const maggi_companion *s);

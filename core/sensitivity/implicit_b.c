@@ -40,14 +40,24 @@ void maggi_independents_b(maggi_derivative *D, const maggi_companion *s, const d
   memcpy(s->w, D->omega, bytes);
 }
 
-/* The adjoint of lambda = G mu goes on to G; that of gama is G alpha2. */
+void maggi_balance_multipliers_b(maggi_derivative *D, const maggi_companion *s)
+{
+  maggi_close_d(D, 1.0, NULL, s->lambda, NULL, s->w);
+}
+
+void maggi_multipliers_b(maggi_derivative *D, const maggi_companion *s)
+{
+  if (D->redundant) maggi_project_rows(D, s->lambda, NULL, NULL);
+  add_products(D, 1.0, s->lambda, D->d->mu, s->phi);
+  memset(s->lambda, 0, (size_t)D->d->t.nrow * sizeof(double));
+}
+
+/* The adjoint of gama is G alpha2. */
 void maggi_close_accelerations_b(maggi_derivative *D, const maggi_companion *s)
 {
   const maggi_topo *t = &D->d->t;
 
-  if (D->redundant) maggi_project_rows(D, s->lambda, NULL, NULL);
-  add_products(D, 1.0, s->lambda, D->d->mu, s->phi);
-  memset(s->lambda, 0, (size_t)t->nrow * sizeof(double));
+  maggi_multipliers_b(D, s);
   memcpy(D->work, s->a, (size_t)t->nq * sizeof(double));
   maggi_subtract_inertia(D->d, D->omega, D->work);
   maggi_solve_transposed(D, D->work, D->nu, s->gama);
@@ -63,6 +73,14 @@ void maggi_close_velocities_b(maggi_derivative *D, const maggi_companion *s)
   maggi_solve_transposed(D, s->v, D->nu, s->rate);
   for (i = 0; i < t->nrow; ++i) s->rate[i] = -s->rate[i];
   add_products(D, -1.0, D->d->rate, D->nu, s->phi);
+}
+
+void maggi_close_positions_b(maggi_derivative *D, const maggi_companion *s)
+{
+  int i;
+
+  maggi_solve_transposed(D, s->q, D->nu, s->res);
+  for (i = 0; i < D->d->t.nrow; ++i) s->res[i] = -s->res[i];
 }
 
 /* Guided coordinates follow functions of time. */

@@ -38,15 +38,20 @@ static inline void reverse_rates(maggi_derivative *D, const maggi_companion *s)
   velocities(D, s);
 }
 
-static inline void reverse_positions(maggi_derivative *D, const maggi_companion *s)
+static inline void reverse_placement(maggi_derivative *D, const maggi_companion *s)
 {
-  body_inertias(D, s);
-  if (D->redundant) loop_entries(D, s);
   directions(D, s);
   points(D, s);
   positions(D, s);
   MODE(maggi_guides)(D, s);
   functions(D, s);
+}
+
+static inline void reverse_positions(maggi_derivative *D, const maggi_companion *s)
+{
+  body_inertias(D, s);
+  if (D->redundant) loop_entries(D, s);
+  reverse_placement(D, s);
 }
 
 static inline void reverse_constants(maggi_derivative *D, const maggi_companion *s)

@@ -9,14 +9,15 @@
 #ifndef MAGGI_STAGES_H
 #define MAGGI_STAGES_H
 
-#define STAGE(name, ...)                                                                           \
-  static inline void name(maggi_derivative *D, const maggi_companion *s)                           \
+#define CALL(stage, name, ...)                                                                     \
+  static inline void stage(maggi_derivative *D, const maggi_companion *s)                          \
   {                                                                                                \
     maggi_data *d = D->d;                                                                          \
     const maggi_topo *t = &d->t;                                                                   \
                                                                                                    \
     MODE(maggi_##name)(t, __VA_ARGS__ LAST);                                                       \
   }
+#define STAGE(name, ...) CALL(name, name, __VA_ARGS__)
 
 /* what depends on p alone */
 STAGE(joint_constants, WITH(p), d->origin, WITH(offset0), WITH(axis0))
@@ -29,6 +30,7 @@ STAGE(functions, WITH(p), WITH(spline0), D->time, WITH(fun))
 STAGE(positions, WITH(offset0), WITH(axis0), WITH(q), WITH(turn), WITH(A), WITH(x), WITH(b))
 STAGE(points, 0, t->npointdyn, WITH(point0), WITH(A), WITH(x), WITH(r))
 STAGE(directions, WITH(dir0), WITH(A), WITH(dir))
+STAGE(loop_residual, WITH(prim0), WITH(r), WITH(dir), WITH(res))
 STAGE(loop_entries, WITH(prim0), WITH(r), WITH(dir), WITH(b), WITH(phi))
 
 /* velocities */
@@ -52,6 +54,19 @@ STAGE(loop_forces, WITH(prim0), WITH(r), WITH(dir), WITH(lambda), WITH(Fr))
 STAGE(accumulate, WITH(Fr), WITH(Q), WITH(FSr))
 STAGE(generalised_forces, WITH(b), WITH(FSr), WITH(tau), WITH(w))
 
+/* results */
+STAGE(reactions, WITH(x), WITH(FSr), WITH(wrench))
+CALL(sensor_points, points, t->npointdyn, t->npoint, WITH(point0), WITH(A), WITH(x), WITH(r))
+CALL(sensor_velocities, point_velocities, t->npointdyn, t->npoint, WITH(r), WITH(Z), WITH(rv))
+CALL(sensor_accelerations, point_accelerations, t->npointdyn, t->npoint, WITH(r), WITH(rv), WITH(Z),
+     WITH(Za), WITH(ra))
+STAGE(sensors, WITH(p), d->origin, WITH(spring0), WITH(q), WITH(v), WITH(A), WITH(x), WITH(r),
+      WITH(Z), WITH(rv), WITH(Za), WITH(ra), WITH(lambda), WITH(sensor))
+STAGE(kinetic_energy, WITH(p), WITH(I), WITH(Z), WITH(rv), WITH(kinetic))
+STAGE(potential_energy, WITH(p), d->origin, WITH(body0), WITH(spring0), WITH(q), WITH(A), WITH(x),
+      WITH(r), WITH(potential))
+
 #undef STAGE
+#undef CALL
 
 #endif

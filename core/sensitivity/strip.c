@@ -14,6 +14,19 @@ void maggi_strip_constants(maggi_derivative *D)
   forward_constants(D, &D->strip);
 }
 
+void maggi_strip_closure(maggi_derivative *D)
+{
+  const maggi_companion *s = &D->strip;
+  const maggi_topo *t = &D->d->t;
+  int i;
+
+  if (t->ndep == 0) return;
+  for (i = 0; i < t->ndep; ++i) zero(s->q + t->dep[i] * WIDTH);
+  forward_positions(D, s);
+  loop_residual(D, s);
+  maggi_close_dv(D, -1.0, NULL, s->res, NULL, s->q);
+}
+
 void maggi_strip_motion(maggi_derivative *D)
 {
   forward(D, &D->strip);

@@ -90,7 +90,7 @@ static void random_parameters(inputs *in, double *p)
   }
 }
 
-/* away from where an angle of a sensor jumps by a turn */
+/* away from where an angle of a sensor jumps by a turn, and from where its rate grows without bound */
 static void random_rotations(inputs *in, int n, double *A)
 {
   const maggi_topo *t = in->t;
@@ -99,10 +99,13 @@ static void random_rotations(inputs *in, int n, double *A)
 
   fill(in, n, -1.0, 1.0, A);
   for (i = 0; i < t->nsensor; ++i) {
-    if (t->sensorkind[i] != MAGGI_SENSOR_ANGLES) continue;
     a = A + 9 * t->sensorbody[i];
-    while (a[8] < 0.0 && fabs(a[7]) < INPUTS_MARGIN) fill(in, 1, -1.0, 1.0, a + 7);
-    while (a[0] < 0.0 && fabs(a[3]) < INPUTS_MARGIN) fill(in, 1, -1.0, 1.0, a + 3);
+    if (t->sensorkind[i] == MAGGI_SENSOR_ANGLES) {
+      while (a[8] < 0.0 && fabs(a[7]) < INPUTS_MARGIN) fill(in, 1, -1.0, 1.0, a + 7);
+      while (a[0] < 0.0 && fabs(a[3]) < INPUTS_MARGIN) fill(in, 1, -1.0, 1.0, a + 3);
+    } else if (t->sensorkind[i] == MAGGI_SENSOR_ANGLE_RATES) {
+      while (hypot(a[0], a[3]) < 0.3) fill(in, 1, -1.0, 1.0, a + 3);
+    }
   }
 }
 

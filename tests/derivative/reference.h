@@ -14,6 +14,7 @@
 #include "topo.h"
 
 typedef long double _Complex reference_number;
+typedef long double reference_real;
 
 /* h: its square is nothing beside 1, its fourth power still a number */
 #define REFERENCE_STEP 1e-40L
@@ -30,7 +31,16 @@ reference_motion *reference_motion_create(const maggi_topo *t, int originadr);
 void reference_motion_free(reference_motion *m);
 /* array of the lists of data.h, NULL if none has the name */
 reference_number *reference_motion_array(reference_motion *m, const char *name);
-/* all results from p, q and vcol */
+/* velocities and accelerations from p, q and vcol */
+void reference_motion_stage(reference_motion *m, reference_number time);
+/* the same and all results */
 void reference_motion_evaluate(reference_motion *m, reference_number time);
+/* all results from p, q, v and a of all coordinates */
+void reference_motion_given(reference_motion *m, reference_number time);
+/* Newton on the dependent coordinates until neither their values nor their derivatives change; whether
+ * it comes to an end */
+int reference_motion_close(reference_motion *m, reference_number time);
+/* after one with all results: kinetic and potential energy */
+void reference_motion_energy(reference_motion *m, reference_number energy[2]);
 
 #endif

@@ -77,9 +77,67 @@ reference_number *reference_motion_array(reference_motion *m, const char *name)
   return NULL;
 }
 
-void reference_motion_evaluate(reference_motion *m, reference_number time)
+void reference_motion_stage(reference_motion *m, reference_number time)
 {
   maggi_constants(&m->data);
   maggi_evaluate(&m->data, time);
+}
+
+void reference_motion_evaluate(reference_motion *m, reference_number time)
+{
+  reference_motion_stage(m, time);
   maggi_results(&m->data);
+}
+
+void reference_motion_given(reference_motion *m, reference_number time)
+{
+  maggi_constants(&m->data);
+  maggi_evaluate_given(&m->data, time);
+  maggi_results(&m->data);
+}
+
+/* corrections dq of the dependents; the largest of its parts */
+static reference_real newton_step(maggi_data *d)
+{
+  const maggi_topo *t = &d->t;
+  reference_real largest = 0.0L;
+  int i;
+
+  for (i = 0; i < t->nrow; ++i) d->gam[i] = -d->res[i];
+  maggi_island_vector(t, d->prim0, (void *)d->r, (void *)d->dir, (void *)d->b, d->phi, d->chol,
+                      d->gam, d->v1, d->y1, d->dq, d->space);
+  for (i = 0; i < t->ndep; ++i) {
+    largest = fmaxl(largest, fabsl(creall(d->dq[t->dep[i]])));
+    largest = fmaxl(largest, fabsl(cimagl(d->dq[t->dep[i]])) / REFERENCE_STEP);
+  }
+  return largest;
+}
+
+int reference_motion_close(reference_motion *m, reference_number time)
+{
+  maggi_data *d = &m->data;
+  reference_real move = INFINITY, before;
+  int n, i;
+
+  maggi_constants(d);
+  for (n = 0; n < 60; ++n) {
+    maggi_evaluate_positions(d, time);
+    maggi_evaluate_factors(d);
+    before = move;
+    move = newton_step(d);
+    for (i = 0; i < d->t.ndep; ++i) d->q[d->t.dep[i]] += d->dq[d->t.dep[i]];
+    /* down to round-off, where it only trembles */
+    if (move < 1e-9L && move >= 0.25L * before) return 1;
+    if (move == 0.0L) return 1;
+  }
+  return 0;
+}
+
+void reference_motion_energy(reference_motion *m, reference_number energy[2])
+{
+  maggi_data *d = &m->data;
+
+  maggi_kinetic_energy(&d->t, d->p, (void *)d->I, (void *)d->Z, (void *)d->rv, energy);
+  maggi_potential_energy(&d->t, d->p, d->origin, (void *)d->body0, d->spring0, d->q, (void *)d->A,
+                         (void *)d->x, (void *)d->r, energy + 1);
 }

@@ -14,7 +14,7 @@ import heads  # noqa: E402  needs the path
 
 TWO = """# two
 maggi_generalised_forces (f)/(b FS tau)  mass.c vec.c  d dv b b_d
-maggi_sensors (s)/(p A x r rv ra)        sensor.c      d
+maggi_reactions (wrench)/(x FS)         reaction.c    d
 """
 
 
@@ -64,7 +64,7 @@ def project(generated, tmp_path):
 def test_files(generated):
     assert sorted(generated.files()) == [
         "MANIFEST", "heads.c", "maggi_ad.h", "mass_b.c", "mass_b_d.c", "mass_d.c", "mass_dv.c",
-        "sensor_d.c"]
+        "reaction_d.c"]
     manifest = (generated.output / "MANIFEST").read_text().splitlines()
     assert manifest[0] == "engine   built-in"
     assert manifest[2] == "command  tools/tapenade/generate"
@@ -120,7 +120,7 @@ def test_a_changed_kernel_stops_the_build(project):
     with open(kernel / "loop.c", "a", encoding="utf-8") as file:
         file.write("\n")  # not of these heads
     assert project.stale() == ""
-    project.heads.write_text(TWO.replace("sensor.c      d", "sensor.c      d b"))
+    project.heads.write_text(TWO.replace("reaction.c    d", "reaction.c    d b"))
     assert "tools/tapenade/heads.txt changed" in project.stale()
     assert "ad_generated: 9 files, 4 changed" in project.generate()
     assert project.stale() == ""
@@ -136,9 +136,9 @@ def test_errors_leave_everything_as_it_was(project):
     message = project.generate(status=1)
     assert message.startswith("generate: core/kernel/mass.c:") and message.count("\n") == 1
     source.write_text(text)
-    project.heads.write_text(TWO + "maggi_sensors (s)/(p) sensor.c d\n")
+    project.heads.write_text(TWO + "maggi_reactions (wrench)/(x) reaction.c d\n")
     assert project.generate(status=1) == (
-        "generate: heads.txt:4: maggi_sensors stands already in line 3\n")
+        "generate: heads.txt:4: maggi_reactions stands already in line 3\n")
     project.heads.write_text("maggi_sensor (s)/(p) sensor.c d\n")
     assert project.generate(status=1).startswith("generate: heads.txt:1: ")
     assert project.files() == before

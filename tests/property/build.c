@@ -149,11 +149,14 @@ static maggi_status add_function(maggi_builder *b, const mechanism *m, int i)
 static maggi_status add_sensor(maggi_builder *b, const mechanism *m, int i)
 {
   maggi_sensor_def d = m->sensor[i].def;
-  char name[MECH_NAME], body[MECH_NAME];
+  char name[MECH_NAME], body[MECH_NAME], element[MECH_NAME];
+  char letter = d.type == MAGGI_SENSOR_SPRING ? 's' : d.type == MAGGI_SENSOR_ROD ? 'r' : 't';
 
   snprintf(name, sizeof name, "x%d", i);
+  snprintf(element, sizeof element, "%c%d", letter, m->sensor[i].element);
   d.name = name;
   d.body = body_name(m->sensor[i].body, body);
+  d.element = element;
   return maggi_builder_sensor(b, &d);
 }
 

@@ -702,18 +702,41 @@ static void add_point_masses(mechanism *m, mech_random *g, int n)
   }
 }
 
-static void add_sensors(mechanism *m, mech_random *g, int n)
+static mech_sensor *new_sensor(mechanism *m, mech_random *g, maggi_sensor_type type)
+{
+  mech_sensor *s = &m->sensor[m->nsensor++];
+
+  maggi_sensor_def_init(&s->def);
+  s->def.type = type;
+  s->body = mech_integer(g, m->nbody);
+  s->element = -1;
+  return s;
+}
+
+static void add_sensors(mechanism *m, mech_random *g)
 {
   mech_sensor *s;
   int i;
 
-  for (i = 0; i < n; ++i) {
-    s = &m->sensor[m->nsensor++];
-    maggi_sensor_def_init(&s->def);
-    s->def.type = (maggi_sensor_type)(i % MAGGI_SENSOR_TYPE_COUNT);
-    s->body = mech_integer(g, m->nbody);
+  for (i = MAGGI_SENSOR_POSITION; i <= MAGGI_SENSOR_ANGLES; ++i) {
+    s = new_sensor(m, g, (maggi_sensor_type)i);
     point_near(g, middle_of(m, s->body), 0.1, 0.6, s->def.point);
   }
+}
+
+/* of centres of gravity, of other motions of bodies, one of each kind of element that there is */
+static void add_more_sensors(mechanism *m, mech_random *g)
+{
+  int number[] = {m->nspring, m->njoint_spring, m->nrod}, i;
+
+  for (i = MAGGI_SENSOR_POSITION; i <= MAGGI_SENSOR_ACCELERATION; ++i)
+    new_sensor(m, g, (maggi_sensor_type)i)->def.at_cog = 1;
+  for (i = MAGGI_SENSOR_ANGLE_RATES; i <= MAGGI_SENSOR_ANGULAR_ACCELERATION; ++i)
+    new_sensor(m, g, (maggi_sensor_type)i);
+  for (i = 0; i < 3; ++i)
+    if (number[i] > 0)
+      new_sensor(m, g, (maggi_sensor_type)(MAGGI_SENSOR_SPRING + i))->element =
+          mech_integer(g, number[i]);
 }
 
 static void add_elements(mechanism *m, mech_random *g)
@@ -721,7 +744,7 @@ static void add_elements(mechanism *m, mech_random *g)
   add_springs(m, g, mech_integer(g, MECH_SPRINGS));
   add_joint_springs(m, g, mech_integer(g, MECH_JOINT_SPRINGS));
   add_point_masses(m, g, mech_integer(g, MECH_POINT_MASSES));
-  add_sensors(m, g, 4);
+  add_sensors(m, g);
 }
 
 /* zero at t = 0 where loops are: they stay closed as drawn */
@@ -879,4 +902,6 @@ void mech_generate(uint64_t seed, int attempt, mechanism *m)
   add_forces(m, g, mech_integer(g, MECH_FORCES - 1));
   if (chance(g, 0.2) && m->kind == MECH_FLOATING)
     memset(m->gravity, 0, sizeof m->gravity);
+  /* last, so that a seed goes on to mean the same motion */
+  add_more_sensors(m, g);
 }

@@ -28,7 +28,7 @@ enum {
   MECH_JOINT_SPRINGS = 6,
   MECH_FORCES = 6,
   MECH_FUNCTIONS = 6,
-  MECH_SENSORS = 6,
+  MECH_SENSORS = 16,
   MECH_KNOTS = 6,
   MECH_NAME = 16
 };
@@ -102,7 +102,7 @@ typedef struct mech_function {
 
 typedef struct mech_sensor {
   maggi_sensor_def def;
-  int body;
+  int body, element; /* spring, spring on coordinates or rod; -1 if none */
 } mech_sensor;
 
 typedef struct mechanism {
@@ -142,7 +142,7 @@ void mech_translate(mechanism *m, const double d[3]);
 void mech_rotate(mechanism *m, const double R[9]);
 
 /* Without what acts on coordinates about global axes (spherical, free, some planar), which is other
- * physics in a turned world; number of parts dropped, or -1 when such a coordinate is guided. */
+ * physics in a turned world, and without sensors of springs on coordinates; number of parts dropped, or -1 when such a coordinate is guided. */
 int mech_drop_axis_bound(mechanism *m);
 
 /* Model of a mechanism.  shuffle: NULL for the order of the description, else parts of each kind

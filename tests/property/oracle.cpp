@@ -423,22 +423,30 @@ void Oracle::add_weights()
     Q.segment<3>(6 * static_cast<int>(i)) += body[i].mass * vec(m.gravity);
 }
 
+Vector3d Oracle::spring(int i) const
+{
+  const maggi_spring_def &d = m.spring[i].def;
+  Point a = drawn(m.spring[i].a, d.point_a), b = drawn(m.spring[i].b, d.point_b);
+  double l = (b.r - a.r).norm(), file = (vec(d.point_b) - vec(d.point_a)).norm(), f;
+  double speed = (b.v - a.v).dot(b.r - a.r) / l;
+
+  f = std::isnan(d.free_length) ? d.preload + d.stiffness * (l - file)
+                                : d.stiffness * (l - d.free_length);
+  f += d.damping * speed;
+  if (d.has_slopes)
+    f += four_slopes(d, speed);
+  return {l, speed, f};
+}
+
 void Oracle::add_springs()
 {
   for (int i = 0; i < m.nspring; ++i) {
     const maggi_spring_def &d = m.spring[i].def;
     Point a = drawn(m.spring[i].a, d.point_a), b = drawn(m.spring[i].b, d.point_b);
-    double l = (b.r - a.r).norm(), file = (vec(d.point_b) - vec(d.point_a)).norm(), f;
-    Vector3d from_a = (b.r - a.r) / l;
-    double speed = (b.v - a.v).dot(from_a);
+    Vector3d f = (b.r - a.r).normalized() * spring(i)[2];
 
-    f = std::isnan(d.free_length) ? d.preload + d.stiffness * (l - file)
-                                  : d.stiffness * (l - d.free_length);
-    f += d.damping * speed;
-    if (d.has_slopes)
-      f += four_slopes(d, speed);
-    force(a, f * from_a);
-    force(b, -f * from_a);
+    force(a, f);
+    force(b, -f);
   }
 }
 
@@ -472,14 +480,21 @@ void Oracle::add_loads()
   }
 }
 
+Vector3d Oracle::joint_spring(int i) const
+{
+  const mech_joint_spring &s = m.joint_spring[i];
+  double z = q[s.q] - (s.q2 < 0 ? 0.0 : q[s.q2]), speed = v[s.q] - (s.q2 < 0 ? 0.0 : v[s.q2]);
+
+  return {z, speed, -s.def.stiffness * (z - s.def.rest) - s.def.damping * speed - s.def.preload};
+}
+
 void Oracle::add_actuation()
 {
   VectorXd tau = VectorXd::Zero(m.nq);
 
   for (int i = 0; i < m.njoint_spring; ++i) {
     const mech_joint_spring &s = m.joint_spring[i];
-    double z = q[s.q] - (s.q2 < 0 ? 0.0 : q[s.q2]), speed = v[s.q] - (s.q2 < 0 ? 0.0 : v[s.q2]);
-    double f = -s.def.stiffness * (z - s.def.rest) - s.def.damping * speed - s.def.preload;
+    double f = joint_spring(i)[2];
 
     tau[s.q] += f;
     if (s.q2 >= 0)

@@ -56,6 +56,9 @@ public:
   Oracle(const mechanism &m, double t, const double *q, const double *v);
 
   Solution solve() const;
+  // length, rate, force of a spring; value, rate, torque of a spring on coordinates
+  Vector3d spring(int i) const;
+  Vector3d joint_spring(int i) const;
   double kinetic() const;
   double potential() const;
   // 6 bodies of absolute velocities, as joint velocities make them

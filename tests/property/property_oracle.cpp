@@ -143,7 +143,73 @@ void check_mass(const subject &s, const Oracle &o)
   report_near(s.m.seed, "reduced mass matrix", worst / expected.lpNorm<Eigen::Infinity>(), 1e-12);
 }
 
-void check_sensors(const subject &s, const Got &got)
+// rates of the angles of R = Rz(yaw) Ry(pitch) Rx(roll) by R' = w x R
+Vector3d angle_rates(const mech_pose &pose)
+{
+  const double *A = pose.A;
+  Eigen::Matrix3d R = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(A), S;
+  for (int k = 0; k < 3; ++k)
+    S.col(k) = Eigen::Map<const Vector3d>(pose.w).cross(R.col(k));
+
+  return {(A[8] * S(2, 1) - A[7] * S(2, 2)) / (A[7] * A[7] + A[8] * A[8]),
+          -S(2, 0) / std::sqrt(1.0 - A[6] * A[6]),
+          (A[0] * S(1, 0) - A[3] * S(0, 0)) / (A[0] * A[0] + A[3] * A[3])};
+}
+
+// length and rate from the ends, force as it is judged by check_forces
+Vector3d rod_columns(const subject &s, const mech_pose *pose, const Got &got, int i)
+{
+  const mech_rod &rod = s.m.rod[i];
+  double a[3][3], b[3][3];
+  mech_point(&s.m, pose, rod.a, rod.def.point_a, a[0], a[1], a[2]);
+  mech_point(&s.m, pose, rod.b, rod.def.point_b, b[0], b[1], b[2]);
+  Vector3d e = Eigen::Map<Vector3d>(a[0]) - Eigen::Map<Vector3d>(b[0]);
+  Vector3d ev = Eigen::Map<Vector3d>(a[1]) - Eigen::Map<Vector3d>(b[1]);
+
+  return {e.norm(), e.dot(ev) / e.norm(), got.rod[static_cast<size_t>(i)]};
+}
+
+// `cog` of the definition, to which point masses do not add
+void sensor_point(const subject &s, const mech_sensor &x, double point[3])
+{
+  const maggi_body_def &body = s.m.body[x.body].def;
+
+  for (int k = 0; k < 3; ++k)
+    point[k] = !x.def.at_cog  ? x.def.point[k]
+               : body.is_bar ? 0.5 * (body.bar_from[k] + body.bar_to[k])
+                             : body.cog[k];
+}
+
+Vector3d sensor_columns(const subject &s, const Oracle &o, const mech_pose *pose, const Got &got,
+                        const mech_sensor &x)
+{
+  const double *A = pose[x.body].A;
+  double point[3], y[3][3];
+
+  sensor_point(s, x, point);
+  mech_point(&s.m, pose, x.body, point, y[0], y[1], y[2]);
+  switch (x.def.type) {
+  case MAGGI_SENSOR_ANGLES:
+    return {std::atan2(A[7], A[8]), std::asin(std::max(-1.0, std::min(1.0, -A[6]))),
+            std::atan2(A[3], A[0])};
+  case MAGGI_SENSOR_ANGLE_RATES:
+    return angle_rates(pose[x.body]);
+  case MAGGI_SENSOR_ANGULAR_VELOCITY:
+    return Eigen::Map<const Vector3d>(pose[x.body].w);
+  case MAGGI_SENSOR_ANGULAR_ACCELERATION:
+    return Eigen::Map<const Vector3d>(pose[x.body].dw);
+  case MAGGI_SENSOR_SPRING:
+    return o.spring(x.element);
+  case MAGGI_SENSOR_JOINT_SPRING:
+    return o.joint_spring(x.element);
+  case MAGGI_SENSOR_ROD:
+    return rod_columns(s, pose, got, x.element);
+  default:
+    return Eigen::Map<const Vector3d>(y[x.def.type]);
+  }
+}
+
+void check_sensors(const subject &s, const Oracle &o, const Got &got)
 {
   std::vector<mech_pose> pose(static_cast<size_t>(s.m.nbody));
   std::vector<double> column(3 * static_cast<size_t>(s.m.nsensor) + 1);
@@ -153,18 +219,14 @@ void check_sensors(const subject &s, const Got &got)
   maggi_get_sensors(s.data, column.data());
   for (int i = 0; i < s.m.nsensor; ++i) {
     const mech_sensor &x = s.m.sensor[i];
-    double y[4][3];
-    mech_point(&s.m, pose.data(), x.body, x.def.point, y[0], y[1], y[2]);
-    const double *A = pose[x.body].A;
-    y[3][0] = std::atan2(A[7], A[8]);
-    y[3][1] = std::asin(std::max(-1.0, std::min(1.0, -A[6])));
-    y[3][2] = std::atan2(A[3], A[0]);
+    // roll and yaw are lost where pitch is a right angle
+    if ((x.def.type == MAGGI_SENSOR_ANGLES || x.def.type == MAGGI_SENSOR_ANGLE_RATES) &&
+        std::fabs(pose[x.body].A[6]) > 0.999)
+      continue;
+    Vector3d y = sensor_columns(s, o, pose.data(), got, x);
     for (int k = 0; k < 3; ++k) {
-      // roll and yaw are lost where pitch is a right angle
-      if (x.def.type == MAGGI_SENSOR_ANGLES && std::fabs(A[6]) > 0.999)
-        continue;
-      worst = std::max(worst, std::fabs(y[x.def.type][k] - column[3 * i + k]));
-      size = std::max(size, std::fabs(y[x.def.type][k]));
+      worst = std::max(worst, std::fabs(y[k] - column[3 * i + k]));
+      size = std::max(size, std::fabs(y[k]));
     }
   }
   report_near(s.m.seed, "sensors", worst / size, 1e-12);
@@ -190,7 +252,7 @@ void check_state(subject &s)
   check_accelerations(s, x, *got);
   check_forces(s, o, x, *got);
   check_mass(s, o);
-  check_sensors(s, *got);
+  check_sensors(s, o, *got);
   maggi_get_energy(s.data, &energy);
   report_near(s.m.seed, "kinetic energy",
               std::fabs(energy.kinetic - o.kinetic()) / std::max(1.0, o.kinetic()), 1e-12);

@@ -121,6 +121,8 @@ int mech_drop_axis_bound(mechanism *m)
 {
   int i, n = m->njoint_spring + m->nforce;
 
+  for (i = m->nsensor - 1; i >= 0; --i)
+    if (m->sensor[i].def.type == MAGGI_SENSOR_JOINT_SPRING) m->sensor[i] = m->sensor[--m->nsensor];
   for (i = 0; i < m->nq; ++i) {
     const mech_body *b = &m->body[mech_body_of(m, i)];
 

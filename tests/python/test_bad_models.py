@@ -139,6 +139,15 @@ sensors:
     type: position
     body: crank
     point: [0, 0, -1]
+objectives:
+  - {name: J1, type: integral_square, signal: coupler.1.q}
+  - {name: high, type: smooth_maximum, signal: end.z, sharpness: 50}
+  - {name: at, type: value, signal: end.y, times: [0.005, 0.01]}
+  - {name: fit, type: least_squares, signal: end.y, times: [0, 0.01], values: [0, 0]}
+  - {name: total, type: sum, terms: [J1, high], weights: [1, 0.1]}
+design:
+  - {name: mass, parameters: [bodies.crank.mass, bodies.coupler.mass], factors: [1, 1.2],
+     nominal: 1, lower: 0.5, upper: 2}
 """
 
 
@@ -429,6 +438,95 @@ ROWS = [
         "body: crunk",
         '"crunk"',
     ),
+    Row(
+        "sensor without a body",
+        "body: crank\n    point: [0, 0, -1]\nobjectives",
+        "point: [0, 0, -1]\nobjectives",
+        "- name: end",
+        '"body" is missing',
+    ),
+    Row(
+        "centre of gravity of the ground",
+        "body: crank\n    point: [0, 0, -1]\nobjectives",
+        "body: ground\nobjectives",
+        "- name: end",
+        "point is missing",
+    ),
+    Row(
+        "element of a position",
+        "type: position\n    body: crank\n    point",
+        "type: position\n    element: coil\n    body: crank\n    point",
+        "- name: end",
+        'no key "element"',
+    ),
+    Row(
+        "point of angles",
+        "type: position",
+        "type: angles",
+        "- name: end",
+        'no key "point"',
+    ),
+    Row(
+        "sensor of no element",
+        "type: position\n    body: crank\n    point: [0, 0, -1]",
+        "type: spring",
+        "- name: end",
+        '"element" is missing',
+    ),
+    Row(
+        "sensor of a spring that is none",
+        "type: position\n    body: crank\n    point: [0, 0, -1]",
+        "type: spring\n    element: strut",
+        "element: strut",
+        '"strut" is no spring',
+    ),
+    Row(
+        "body of a spring",
+        "type: position\n    body: crank\n    point: [0, 0, -1]",
+        "type: spring\n    body: crank\n    element: coil",
+        "- name: end",
+        'no key "body"',
+    ),
+    # objectives and design parameters
+    Row("unknown objective", "type: integral_square", "type: area", "type: area", '"area"'),
+    Row("objective twice", "name: high", "name: J1", "name: J1, type: smooth", "already"),
+    Row("no signal", ", signal: coupler.1.q", "", "name: J1", '"signal" is missing'),
+    Row("unknown signal", "coupler.1.q", "coupler.q", "coupler.q", '"coupler.q"'),
+    Row("no sharpness", ", sharpness: 50", "", "name: high", '"sharpness" is missing'),
+    Row("sharpness of zero", "sharpness: 50", "sharpness: 0", "name: high", "not positive"),
+    Row("key of another objective", "coupler.1.q}", "coupler.1.q, times: [1]}", "J1", '"times"'),
+    Row("times not rising", "[0.005, 0.01]", "[0.01, 0.005]", "name: at", "increase"),
+    Row("values of a record", "values: [0, 0]", "values: [0]", "values: [0]", "1 values for 2"),
+    Row("record twice", "values: [0, 0]", "values: [0, 0], file: a.csv", "name: fit", '"file"'),
+    Row(
+        "no record",
+        "times: [0, 0.01], values: [0, 0]",
+        "file: none.csv",
+        "file: none.csv",
+        "none.csv: cannot be opened",
+    ),
+    Row("unknown term", "[J1, high]", "[J1, low]", "name: total", '"low"'),
+    Row("sum of sums", "[J1, high]", "[J1, total]", "name: total", "a sum itself"),
+    Row("too many weights", "[1, 0.1]", "[1, 0.1, 2]", "[1, 0.1, 2]", "3 weights for 2 terms"),
+    Row("no parameters", "[bodies.crank.mass, bodies.coupler.mass]", "[]", "name: mass", "empty"),
+    Row(
+        "unknown parameter",
+        "[bodies.crank.mass,",
+        "[bodies.crank.mess,",
+        "bodies.crank.mess",
+        '"bodies.crank.mess" does not exist',
+    ),
+    Row(
+        "parameter twice",
+        "[bodies.crank.mass,",
+        '["bodies.c*.mass",',
+        '"bodies.c*.mass"',
+        '"bodies.coupler.mass" is there twice',
+    ),
+    Row("too few factors", "[1, 1.2]", "[1]", "factors: [1]", "1 factors for 2"),
+    Row("factor of zero", "[1, 1.2]", "[1, 0]", "factors: [1, 0]", "zero"),
+    Row("bounds crossed", "lower: 0.5", "lower: 3", "lower: 3", "above upper"),
+    Row("nominal out of bounds", "nominal: 1,", "nominal: 3,", "nominal: 3", "between"),
 ]
 
 

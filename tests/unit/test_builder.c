@@ -169,6 +169,30 @@ static maggi_sensor_def good_sensor(void)
   return d;
 }
 
+static const char *const one_path[2] = {"bodies.b*.mass", "bodies.b1.mass"};
+static const char *const one_term[1] = {"o"};
+
+static maggi_objective_def good_objective(void)
+{
+  maggi_objective_def d;
+
+  maggi_objective_def_init(&d);
+  d.name = "o";
+  d.signal = "b1.q";
+  return d;
+}
+
+static maggi_design_def good_design(void)
+{
+  maggi_design_def d;
+
+  maggi_design_def_init(&d);
+  d.name = "g";
+  d.number = 1;
+  d.paths = one_path;
+  return d;
+}
+
 /* b1 and b2 with one coordinate, b3 with six, b4 with none */
 static void add_bodies(maggi_builder *b)
 {
@@ -209,6 +233,11 @@ static void test_names(void)
   REFUSED(force, d.name = "", "forces: an entry has no name");
   REFUSED(function, d.name = "", "functions: an entry has no name");
   REFUSED(sensor, d.name = "", "sensors: an entry has no name");
+  REFUSED(objective, d.name = "", "objectives: an entry has no name");
+  REFUSED(objective, d.name = "rms(b1.q)",
+          "objectives.rms(b1.q): a name has only letters, digits, _ and -");
+  REFUSED(design, d.name = NULL, "design: an entry has no name");
+  REFUSED(design, d.name = "all", "design.all: this name means all parameters");
 }
 
 static void test_body(void)
@@ -344,8 +373,28 @@ static void test_parts(void)
   REFUSED(function, d.type = MAGGI_FUNCTION_STEP;
           d.values = late, "functions.f: t1 is not after t0");
 
-  REFUSED(sensor, d.type = (maggi_sensor_type)9, "sensors.s: sensor type 9 does not exist");
+  REFUSED(sensor, d.type = (maggi_sensor_type)99, "sensors.s: sensor type 99 does not exist");
   REFUSED(sensor, d.point[0] = NAN, "sensors.s: point is not finite");
+}
+
+/* (each wrong definition: test_objective.c, test_design.c) */
+static void test_definitions(void)
+{
+  REFUSED(objective, d.signal = NULL, "objectives.o: signal is missing");
+  REFUSED(objective, d.type = MAGGI_OBJECTIVE_SMOOTH_MAXIMUM,
+          "objectives.o: sharpness is not positive (0)");
+  REFUSED(objective, d.type = MAGGI_OBJECTIVE_VALUE; d.number = 3;
+          d.times = falling, "objectives.o: times do not increase (2 after 2)");
+  REFUSED(design, d.number = 0, "design.g: parameters are missing");
+  REFUSED(design, d.lower = 3.0; d.upper = 2.0, "design.g: lower is above upper (3, 2)");
+
+  NO_MODEL(objective, d.signal = "b1.z", "objectives.o: signal \"b1.z\" does not exist");
+  NO_MODEL(objective, d.type = MAGGI_OBJECTIVE_SUM; d.nterm = 1;
+           d.terms = one_path, "objectives.o: terms: \"bodies.b*.mass\" does not exist");
+  NO_MODEL(objective, d.type = MAGGI_OBJECTIVE_SUM; d.nterm = 1;
+           d.terms = one_term, "objectives.o: terms: \"o\" is a sum itself");
+  NO_MODEL(design, d.paths = one_term, "design.g: parameters: \"o\" does not exist");
+  NO_MODEL(design, d.number = 2, "design.g: parameters: \"bodies.b1.mass\" is there twice");
 }
 
 static void test_links(void)
@@ -392,6 +441,16 @@ static void test_links(void)
   NO_MODEL(drag, d.wind[1] = INFINITY, "forces.f.wind.y must be finite (inf)");
   NO_MODEL(sensor, d.body = NULL, "sensors.s: body is missing");
   NO_MODEL(sensor, d.body = "x", "sensors.s: body \"x\" does not exist");
+  NO_MODEL(sensor, d.at_cog = 1;
+           d.body = MAGGI_GROUND,
+           "sensors.s: point is missing, and the ground has no centre of gravity");
+  NO_MODEL(sensor, d.type = MAGGI_SENSOR_SPRING, "sensors.s: element is missing");
+  NO_MODEL(sensor, d.type = MAGGI_SENSOR_SPRING;
+           d.element = "x", "sensors.s: element \"x\" is no spring");
+  NO_MODEL(sensor, d.type = MAGGI_SENSOR_JOINT_SPRING;
+           d.element = "x", "sensors.s: element \"x\" is no joint spring");
+  NO_MODEL(sensor, d.type = MAGGI_SENSOR_ROD;
+           d.element = "x", "sensors.s: element \"x\" is no rod");
 }
 
 /* a failed addition leaves the builder as it was, a failed model too */
@@ -447,9 +506,11 @@ static void test_scopes(void)
   maggi_function_def u = good_function();
   maggi_sensor_def e = good_sensor();
   maggi_point_mass_def p = good_point_mass();
+  maggi_objective_def o = good_objective();
+  maggi_design_def g = good_design();
 
   add_bodies(b);
-  l.name = r.name = s.name = t.name = f.name = u.name = e.name = p.name = "b1";
+  l.name = r.name = s.name = t.name = f.name = u.name = e.name = p.name = o.name = g.name = "b1";
 #define TWICE(kind, def)                                                                           \
   CHECK(maggi_builder_##kind(b, &def) == MAGGI_OK);                                                \
   CHECK(maggi_builder_##kind(b, &def) == MAGGI_E_MODEL)
@@ -460,6 +521,8 @@ static void test_scopes(void)
   TWICE(force, f);
   TWICE(function, u);
   TWICE(sensor, e);
+  TWICE(objective, o);
+  TWICE(design, g);
   TWICE(point_mass, p);
   CHECK_TEXT(maggi_builder_message(b), "point_masses.b1: this name is there already");
   p.body = "b2";
@@ -483,7 +546,14 @@ static void test_copies(void)
   maggi_body_def d = good_body();
   maggi_function_def f = good_function();
   char name[] = "crank", motion[] = "f", function[] = "f";
-  double times[3] = {0, 1, 2}, values[3] = {5, 6, 8};
+  double times[3] = {0, 1, 2}, values[3] = {5, 6, 8}, factor = 2.0;
+  char signal[] = "crank.q", path[] = "bodies.*.mass", unit[] = "t", term[] = "o";
+  const char *paths[] = {path}, *terms[] = {term};
+  maggi_objective_def o = good_objective(), sum = good_objective();
+  maggi_design_def g = good_design();
+  maggi_objective *objective;
+  maggi_design *design;
+  maggi_data *data;
 
   d.name = name;
   d.motion[0] = motion;
@@ -492,6 +562,25 @@ static void test_copies(void)
   f.times = times;
   f.values = values;
   CHECK(maggi_builder_function(b, &f) == MAGGI_OK);
+  o.signal = signal;
+  o.type = MAGGI_OBJECTIVE_LEAST_SQUARES;
+  o.number = 3;
+  o.times = times;
+  o.values = values;
+  CHECK(maggi_builder_objective(b, &o) == MAGGI_OK);
+  sum.name = "sum";
+  sum.type = MAGGI_OBJECTIVE_SUM;
+  sum.nterm = 1;
+  sum.terms = terms;
+  sum.weights = &factor;
+  CHECK(maggi_builder_objective(b, &sum) == MAGGI_OK);
+  g.paths = paths;
+  g.factors = &factor;
+  g.unit = unit;
+  CHECK(maggi_builder_design(b, &g) == MAGGI_OK);
+  factor = 0.0;
+  paths[0] = terms[0] = NULL;
+  signal[0] = path[0] = unit[0] = term[0] = 'x';
   memset(name, 'x', 3);
   motion[0] = function[0] = 'x';
   times[1] = values[1] = NAN;
@@ -500,6 +589,16 @@ static void test_copies(void)
   CHECK_TEXT(maggi_body_name(m, 0), "crank");
   CHECK(maggi_parameter_default(m, maggi_parameter_find(m, "functions.f.values.2")) == 6.0);
   CHECK(maggi_parameter_default(m, maggi_parameter_find(m, "functions.f.times.2")) == 1.0);
+  CHECK(maggi_objective_named(m, "sum", &objective, NULL, 0) == MAGGI_OK);
+  CHECK_TEXT(maggi_objective_unit(objective), "rad^2");
+  maggi_objective_free(objective);
+  data = test_data(m);
+  CHECK(maggi_design_create(data, &design) == MAGGI_OK);
+  CHECK(maggi_design_select(design, "g", NULL, 0) == MAGGI_OK);
+  CHECK_TEXT(maggi_design_unit(design, 0), "t");
+  CHECK(maggi_design_value(design, 0) == 0.5);
+  maggi_design_free(design);
+  maggi_data_free(data);
   maggi_model_free(m);
 }
 
@@ -565,6 +664,7 @@ int main(void)
   test_body();
   test_good_bodies();
   test_parts();
+  test_definitions();
   test_links();
   test_rest();
   test_scopes();

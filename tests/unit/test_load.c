@@ -1,8 +1,10 @@
 /* core/model/load*.c, from memory and from files.  (Each wrong key and value with its message:
  * tests/python/test_bad_models.py; any bytes at all: tests/fuzz.) */
 #include <locale.h>
+#include <unistd.h>
 
 #include "fixture.h"
+#include "functional.h"
 
 static const char good[] = "format: maggi\nversion: 1\nname: n\nbodies:\n"
                            "- {name: b, mass: 1.5, joint: {type: prismatic, axis: [0, 0, 0.5]}}\n";
@@ -135,6 +137,123 @@ static void test_same(void)
   maggi_model_free(n);
 }
 
+/* ---------------------------------------------------------------------------------------- records */
+
+static const char folder[] = "/tmp/maggi-test-load-XXXXXX";
+static char path[sizeof folder], model_path[64], record_path[64];
+
+static void write_file(const char *name, const char *text, size_t n)
+{
+  FILE *f = fopen(name, "wb");
+
+  if (!f || fwrite(text, 1, n, f) != n || fclose(f) != 0) {
+    fprintf(stderr, "%s cannot be written\n", name);
+    exit(1);
+  }
+}
+
+/* model with an objective that compares b.q with column `column` of the record */
+static maggi_status load_record(const char *record, size_t n, const char *column, maggi_model **m,
+                                char message[256])
+{
+  char text[600];
+
+  write_file(record_path, record, n);
+  n = (size_t)snprintf(text, sizeof text,
+                       "%sobjectives:\n- {name: fit, type: least_squares, signal: b.q,\n"
+                       "   file: record.csv%s}\n",
+                       good, column);
+  write_file(model_path, text, n);
+  return maggi_model_load(model_path, m, message, 256);
+}
+
+/* the objective where b.q is 0: mean of the squares of the record */
+static void check_record(const char *record, const char *column, double squares)
+{
+  maggi_grid grid;
+  maggi_model *m;
+  maggi_objective *o;
+  char message[256];
+  double value = NAN, zero = 0.0;
+  long k;
+
+  CHECK(load_record(record, strlen(record), column, &m, message) == MAGGI_OK);
+  CHECK_TEXT(message, "");
+  if (!m) return;
+  CHECK(maggi_grid_init(&grid, 3.0, 0.5) == MAGGI_OK);
+  CHECK(maggi_objective_named(m, "fit", &o, message, sizeof message) == MAGGI_OK);
+  CHECK(maggi_objective_begin(o, &grid, message, sizeof message) == MAGGI_OK);
+  for (k = 0; k <= grid.steps; ++k) maggi_objective_push(o, k, &zero);
+  CHECK(maggi_objective_end(o, &value, message, sizeof message) == MAGGI_OK);
+  CHECK_NEAR(value, squares, 1e-15, 0.0);
+  maggi_objective_free(o);
+  maggi_model_free(m);
+}
+
+static void refuse_record(const char *record, size_t n, const char *column, const char *said)
+{
+  maggi_model *m = (maggi_model *)good;
+  char message[256], expected[256];
+
+  CHECK(load_record(record, n, column, &m, message) == MAGGI_E_MODEL);
+  CHECK(m == NULL);
+  snprintf(expected, sizeof expected, "%s:%s", record_path, said);
+  CHECK_TEXT(message, expected);
+}
+
+#define REFUSED(record, said) refuse_record(record, sizeof record - 1, "", said)
+
+static void test_records(void)
+{
+  maggi_model *m;
+  char message[256];
+
+  memcpy(path, folder, sizeof folder);
+  if (!CHECK(mkdtemp(path) != NULL)) return;
+  snprintf(model_path, sizeof model_path, "%s/model.yaml", path);
+  snprintf(record_path, sizeof record_path, "%s/record.csv", path);
+
+  check_record("t,b.q\n0,1\n1,2\n3,-3\n", "", 14.0 / 3.0);
+  check_record("t,b.q\r\n0,1\r\n1,2\r\n3,-3\r\n", "", 14.0 / 3.0);
+  check_record("\xef\xbb\xbf\"b.q\", \"x\"\"y,\" ,t\n\n2, some text,1\n \n\n1.5e1,\"\",+2.5", "",
+               (4.0 + 225.0) / 2.0);
+  check_record("t,b.q,other\n0,1,4\n1,2,5\n", ", column: other", 41.0 / 2.0);
+  check_record("t,b.q,\"a, \"\"b\"\"\"\n0,1,4\n", ", column: 'a, \"b\"'", 16.0);
+
+  REFUSED("", "1: the record is empty");
+  REFUSED("\n\n", "1: the record is empty");
+  REFUSED("time,b.q\n", "1: no column \"t\"");
+  REFUSED("\nt,b.v\n", "2: no column \"b.q\"");
+  REFUSED("t,b.q\n", "2: no rows");
+  REFUSED("t,b.q\n0,1\n1\n", "3: 1 fields instead of 2");
+  REFUSED("t,b.q\n0,1,2\n", "2: 3 fields instead of 2");
+  REFUSED("t,b.q\n0,1\n0.5,x\n", "3: \"x\" is not a number");
+  REFUSED("t,b.q\n0,1\n0.5,\n", "3: \"\" is not a number");
+  REFUSED("t,b.q\n0,1\n0.5,nan\n", "3: \"nan\" is not a number");
+  REFUSED("t,b.q\n0,1\n0.5,0x1p3\n", "3: \"0x1p3\" is not a number");
+  REFUSED("t,b.q\n0,1e999\n", "2: \"1e999\" is not a number");
+  REFUSED("t,b.q\n0,1\n\n0,2\n", "4: t does not increase (0 after 0)");
+  REFUSED("t,b.q\n-1,1\n", "2: t is before 0 (-1)");
+  REFUSED("t,b.q\n0,\"1\n", "2: a quote is not closed");
+  REFUSED("t,b.q\n0,\"1\"2\n", "2: a text after a quote");
+  REFUSED("t,b.q\n0,1\0002\n", "2: a NUL character");
+  REFUSED(
+      "t,"
+      "aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa"
+      "aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa"
+      "a"
+      "aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa\n",
+      "1: a field has more than 200 characters");
+  refuse_record("t,b.q\n0,1\n", 10, ", column: none", "1: no column \"none\"");
+
+  remove(record_path);
+  CHECK(maggi_model_load(model_path, &m, message, sizeof message) == MAGGI_E_FILE);
+  CHECK(m == NULL && strstr(message, "model.yaml:8: objectives.fit.file: ") != NULL);
+  CHECK(strstr(message, "record.csv: cannot be opened") != NULL);
+  remove(model_path);
+  CHECK(rmdir(path) == 0);
+}
+
 int main(void)
 {
   test_message();
@@ -142,5 +261,6 @@ int main(void)
   test_locale();
   test_files();
   test_same();
+  test_records();
   return check_done();
 }

@@ -3,6 +3,8 @@
 #define TOOL_COMMANDS_H
 
 int command_simulate(int argc, char **argv);
+int command_sensitivity(int argc, char **argv);
+int command_verify(int argc, char **argv);
 int command_info(int argc, char **argv);
 int command_models(int argc, char **argv);
 

@@ -7,6 +7,9 @@ static const char help_general[] =
     "maggi - dynamics of multibody systems\n"
     "\n"
     "  maggi simulate MODEL [options]   simulate; write a CSV and a summary\n"
+    "  maggi sensitivity MODEL [options]\n"
+    "                                   gradients of objectives by parameters\n"
+    "  maggi verify MODEL [options]     compare all methods for these gradients\n"
     "  maggi info MODEL [options]       bodies, loops, degrees of freedom, parameters\n"
     "  maggi models [--json]            the models that ship\n"
     "  maggi help [COMMAND]             this, or all about one command\n"
@@ -61,6 +64,106 @@ static const char help_simulate[] =
     "It is looked at after each step with --energy or --json, else at each row and at\n"
     "least every 64 steps.\n";
 
+#define HELP_STUDY                                                                                 \
+  "  --objective NAME,..  what to differentiate: an objective that the model declares, or\n"       \
+  "                       TYPE(SIGNAL), as in \"rms(tip.z)\", where SIGNAL is a column of\n"       \
+  "                       maggi simulate --energy --reactions all (not energy.work and\n"          \
+  "                       loops.*) and TYPE is integral, integral_square, mean,\n"                 \
+  "                       mean_square, rms, rmq, vdv, maximum, minimum, peak or terminal.\n"
+
+static const char help_sensitivity[] =
+    "maggi sensitivity MODEL [options]\n"
+    "\n"
+    "Gradients of objectives J, numbers that come out of a simulation, with respect to\n"
+    "design parameters b, numbers that go into it.\n"
+    "\n" HELP_STUDY "                       Default: all that the model declares\n"
+    "  --parameters ITEM,.. design parameters; default: those that the model declares,\n"
+    "                       else all.  An ITEM is\n"
+    "                         all    every number of the model, by its path\n"
+    "                         GLOB   the declared ones it matches, else numbers by path\n"
+    "                         NAME=[FACTOR*]PATH{+[FACTOR*]PATH}[:NOMINAL[:LOWER:UPPER[:UNIT]]]\n"
+    "                                one that moves several numbers together, as in\n"
+    "                                width=rods.a.point_a.y+-1*rods.b.point_a.y:0.5\n"
+    "  --method METHOD      adjoint (default)   backwards through the steps: any number of\n"
+    "                                           parameters for the price of a few\n"
+    "                       direct              carried along with the simulation: the same\n"
+    "                                           numbers, and the relevance of parameters\n"
+    "                       continuous-adjoint  differs by the error of the integration\n"
+    "                       difference, forward-difference, backward-difference\n"
+    "                                           of whole simulations\n"
+    "  --perturbation X     of differences, relative to b, absolute where b is 0;\n"
+    "                       default 1e-6\n"
+    "  --time T, --step H, --set PATH=VALUE .., --tolerance TOL\n"
+    "                       as in maggi simulate\n"
+    "  --snapshots N        adjoint: keep N states, compute the others again\n"
+    "  --memory BYTES       for states, as 64M; default 1G.  Fewer snapshots where all do\n"
+    "                       not fit.  The numbers are the same in any case\n"
+    "  --threads N          share the parameters of direct and of differences out among\n"
+    "                       N threads, with the same numbers; default 1\n"
+    "  --states FILE.csv    direct: derivatives over time of all coordinates and of the\n"
+    "                       signals of the objectives, columns d(SIGNAL)/d(PARAMETER)\n"
+    "  --every N            a row of it every N steps; default 1\n"
+    "  --csv FILE.csv       the tables of the report, all rows, columns objective, rank,\n"
+    "                       parameter, nominal, unit, gradient, gradient_unit, normalised\n"
+    "                       and, with direct, relevance, relevance_unit, coordinate\n"
+    "  --plot FILE.png      bars of the largest normalised sensitivities\n"
+    "  --all-rows           the report has all parameters, not only the first 35\n"
+    "  --json               the report as one JSON object\n"
+    "\n"
+    "Report: parameters in the order of |b dJ/db|, with b/J dJ/db, the change of J in\n"
+    "percent when b grows by one percent (b dJ/db where J is 0).  Where b is 0 there is no\n"
+    "such number; these parameters follow, by |dJ/db|.  With direct also their relevance,\n"
+    "the largest |dq/db| over time and the coordinate q that has it.  Then what it cost,\n"
+    "beside one simulation; the best of a few runs where they are short.\n"
+    "\n"
+    "JSON: objective, value, unit, gradient, units, normalised (null: see above), ranking;\n"
+    "for several objectives these are in a list, objectives.  Then nominal, relevance,\n"
+    "method, parameters (their number), time, step, steps, recomputed (steps that the\n"
+    "adjoint has computed again), kept (its snapshots), threads, wall_s,\n"
+    "simulation_wall_s, ratio.\n"
+    "\n"
+    "Files appear, complete, at the end; - as FILE.csv is standard output, and the report\n"
+    "then goes to standard error.  --plot needs python3 with matplotlib, and the script\n"
+    "plot-sensitivity, which is looked for in $MAGGI_SCRIPTS, in scripts/ of the source\n"
+    "tree and in share/maggi/scripts of the installation.\n";
+
+static const char help_verify[] =
+    "maggi verify MODEL [options]\n"
+    "\n"
+    "Computes gradients of a model by every method and compares each with each.\n"
+    "Exit status 1 when one of them fails.\n"
+    "\n" HELP_STUDY "                       Default: all that the model declares, else\n"
+    "                       integral_square(Q.q), terminal(Q.v) and rms(energy.kinetic),\n"
+    "                       where Q is the first coordinate that is not guided\n"
+    "  --parameters ITEM,.. as in maggi sensitivity\n"
+    "  --time T, --step H, --set PATH=VALUE .., --tolerance TOL\n"
+    "                       as in maggi simulate\n"
+    "  --limit X            on the error of direct; default 1e-10\n"
+    "  --plot FILE.png      errors of differences over their perturbation\n"
+    "  --json               the report as one JSON object\n"
+    "\n"
+    "An error is the largest difference of two gradients over the largest entry of the\n"
+    "adjoint one, each entry times the size of its parameter: |b|, where b is 0 the largest\n"
+    "|b| with its unit, else 1.  A gradient below 1e-6 |J| counts as 1e-6 |J|.  The report\n"
+    "has the largest error of all objectives.\n"
+    "\n"
+    "  adjoint              what the others are compared with, by all parameters\n"
+    "  adjoint, 10 snapshots\n"
+    "                       the same to the last bit\n"
+    "  direct               by the 24 most relevant parameters: within --limit\n"
+    "  continuous-adjoint   differs by the truncation errors of both adjoints: no more than\n"
+    "                       twice the way that both go when the step is halved, or --limit.\n"
+    "                       That also shows at which order they approach each other\n"
+    "  difference           by the 5 most relevant parameters, with perturbations 1e-2,\n"
+    "                       1e-3 .. 1e-14: the best within 1e-6.  Large ones truncate,\n"
+    "                       small ones drown in the round-off of whole simulations, so\n"
+    "                       that differences cannot confirm more digits than that\n"
+    "  forward-difference, backward-difference\n"
+    "                       the same within 1e-4: they truncate more\n"
+    "\n"
+    "The column simulations is what each costs, for differences with one perturbation.  All\n"
+    "together is some 400 simulations; a shorter --time proves as much.\n";
+
 static const char help_info[] =
     "maggi info MODEL [options]\n"
     "\n"
@@ -70,8 +173,8 @@ static const char help_info[] =
     "  --json               as one JSON object\n"
     "\n"
     "Prints the bodies with their joints as a tree, the loops with kind and number of\n"
-    "equations, rank, degrees of freedom, independent coordinates, sensors, and the\n"
-    "parameters with path, value and unit.\n";
+    "equations, rank, degrees of freedom, independent coordinates, sensors, objectives,\n"
+    "design parameters, and the parameters with path, value and unit.\n";
 
 static const char help_models[] =
     "maggi models [--json]\n"
@@ -92,8 +195,10 @@ const char *help_text(const char *command)
   static const struct {
     const char *command;
     const char *text;
-  } page[] = {{"", help_general},      {"simulate", help_simulate}, {"info", help_info},
-              {"models", help_models}, {"help", help_help},         {"version", help_version}};
+  } page[] = {
+      {"", help_general},      {"simulate", help_simulate}, {"sensitivity", help_sensitivity},
+      {"verify", help_verify}, {"info", help_info},         {"models", help_models},
+      {"help", help_help},     {"version", help_version}};
   size_t i;
 
   for (i = 0; i < sizeof page / sizeof page[0]; ++i)

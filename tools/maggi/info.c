@@ -86,6 +86,18 @@ static void print_sensors(const subject *s)
            maggi_sensor_column_unit(s->model, i));
 }
 
+/* Names that `name` gives for 0, 1, .. */
+static void print_declared(const subject *s, const char *title,
+                           const char *(*name)(const maggi_model *m, int index))
+{
+  int i, column = 0;
+
+  if (!name(s->model, 0)) return;
+  printf("\n%s\n", title);
+  for (i = 0; name(s->model, i); ++i) print_name(name(s->model, i), &column);
+  putchar('\n');
+}
+
 static int is_wanted(const char *path, const char *glob)
 {
   return !glob || fnmatch(glob, path, 0) == 0;
@@ -117,6 +129,8 @@ static int print_all(const subject *s)
   print_loops(s);
   print_independent(s);
   print_sensors(s);
+  print_declared(s, "objectives", maggi_model_objective);
+  print_declared(s, "design parameters", maggi_model_design);
   if (s->info.parameters > 0) puts("\nparameters");
   print_parameters(s, NULL, "  ");
   return STATUS_DONE;
@@ -191,6 +205,16 @@ static void json_sensors(json *j, const subject *s)
   json_close_array(j);
 }
 
+static void json_declared(json *j, const subject *s, const char *key,
+                          const char *(*name)(const maggi_model *m, int index))
+{
+  int i;
+
+  json_open_array(j, key);
+  for (i = 0; name(s->model, i); ++i) json_string(j, NULL, name(s->model, i));
+  json_close_array(j);
+}
+
 static void json_parameters(json *j, const subject *s, const char *glob)
 {
   int i;
@@ -227,6 +251,8 @@ static void json_all(json *j, const subject *s)
   json_coordinates(j, s);
   json_loops(j, s);
   json_sensors(j, s);
+  json_declared(j, s, "objectives", maggi_model_objective);
+  json_declared(j, s, "design", maggi_model_design);
   json_parameters(j, s, NULL);
 }
 

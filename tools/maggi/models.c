@@ -1,8 +1,6 @@
 /* Which models ship, where they are found, and the command that lists them.
  *
- * A model NAME is DIR/NAME.yaml or DIR/NAME/NAME.yaml, in the first of these DIR that has it:
- * $MAGGI_MODELS, the models of the source tree, those installed beside the command (an installation
- * may be moved), those installed where it was configured.
+ * A model NAME is DIR/NAME.yaml or DIR/NAME/NAME.yaml, in the first DIR that has it (places.h).
  */
 #include "models.h"
 
@@ -13,49 +11,17 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include "commands.h"
 #include "json.h"
 #include "message.h"
+#include "names.h"
 #include "nearest.h"
 #include "options.h"
-
-#ifndef MAGGI_MODELS_DIR
-#define MAGGI_MODELS_DIR ""
-#endif
-#ifndef MAGGI_MODELS_INSTALL_DIR
-#define MAGGI_MODELS_INSTALL_DIR ""
-#endif
+#include "places.h"
 
 #define GENERATED   "multiple-four-bar"
-#define NDIRECTORY  4
-#define BESIDE      "/../share/maggi/models"
 #define MESSAGE_MAX 1024
-
-/* Models beside the directory of this program, "" where the system does not say where that is. */
-static const char *beside_program(char path[MODELS_PATH_MAX])
-{
-  ssize_t n = readlink("/proc/self/exe", path, MODELS_PATH_MAX - sizeof BESIDE);
-  char *slash;
-
-  path[n > 0 ? n : 0] = '\0';
-  slash = strrchr(path, '/');
-  if (slash) strcpy(slash, BESIDE);
-  return path;
-}
-
-static const char *directory(int i, char path[MODELS_PATH_MAX])
-{
-  const char *named;
-
-  if (i == 0) {
-    named = getenv("MAGGI_MODELS");
-    return named ? named : "";
-  }
-  if (i == 2) return beside_program(path);
-  return i == 1 ? MAGGI_MODELS_DIR : MAGGI_MODELS_INSTALL_DIR;
-}
 
 static int is_file(const char *path)
 {
@@ -74,12 +40,12 @@ static int ends_with(const char *text, const char *end)
 /* File of the shipped model `name`: 1, or 0 if there is none. */
 static int find_shipped(const char *name, char path[MODELS_PATH_MAX])
 {
-  char beside[MODELS_PATH_MAX];
+  char beside[PLACES_PATH_MAX];
   const char *dir;
   int i, n;
 
-  for (i = 0; i < NDIRECTORY; ++i) {
-    dir = directory(i, beside);
+  for (i = 0; i < PLACES; ++i) {
+    dir = places_directory("models", i, beside);
     if (dir[0] == '\0') continue;
     n = snprintf(path, MODELS_PATH_MAX, "%s/%s.yaml", dir, name);
     if (n < MODELS_PATH_MAX && is_file(path)) return 1;
@@ -92,39 +58,8 @@ static int find_shipped(const char *name, char path[MODELS_PATH_MAX])
 
 /* ------------------------------------------------------------------------------ the list */
 
-typedef struct names {
-  char **name;
-  size_t number;
-} names;
-
-static void names_free(names *list)
-{
-  size_t i;
-
-  for (i = 0; i < list->number; ++i) free(list->name[i]);
-  free(list->name);
-}
-
-/* Add the first n characters of text unless they are there: 0, or -1 without memory. */
-static int names_add(names *list, const char *text, size_t n)
-{
-  char **grown, *copy;
-  size_t i;
-
-  for (i = 0; i < list->number; ++i)
-    if (strlen(list->name[i]) == n && memcmp(list->name[i], text, n) == 0) return 0;
-  grown = realloc(list->name, (list->number + 1) * sizeof *grown);
-  if (!grown) return -1;
-  list->name = grown;
-  copy = malloc(n + 1);
-  if (!copy) return -1;
-  memcpy(copy, text, n);
-  copy[n] = '\0';
-  list->name[list->number++] = copy;
-  return 0;
-}
-
-static int names_scan(names *list, const char *dir)
+/* Add the models of a directory: 0, or -1 without memory. */
+static int scan(names *list, const char *dir)
 {
   char path[MODELS_PATH_MAX];
   const struct dirent *entry;
@@ -141,7 +76,7 @@ static int names_scan(names *list, const char *dir)
     n = ends_with(file, ".yaml") ? strlen(file) - strlen(".yaml") : strlen(file);
     if (snprintf(path, sizeof path, file[n] ? "%s/%s" : "%s/%s/%s.yaml", dir, file, file) <
             (int)sizeof path &&
-        is_file(path))
+        is_file(path) && !names_has(list, file, n))
       failed = names_add(list, file, n);
   }
   closedir(d);
@@ -156,22 +91,21 @@ static int compare_names(const void *a, const void *b)
 /* Names of all shipped models in alphabetical order: exit status. */
 static int list_shipped(names *list)
 {
-  char beside[MODELS_PATH_MAX];
-  const char *own = directory(0, beside), *dir;
+  char beside[PLACES_PATH_MAX];
+  const char *own = places_directory("models", 0, beside), *dir;
   struct stat s;
   int i;
 
-  list->name = NULL;
-  list->number = 0;
+  memset(list, 0, sizeof *list);
   if (own[0] && stat(own, &s) != 0)
     return message_fail(STATUS_FAILED, "MAGGI_MODELS: %s: %s", own, strerror(errno));
   if (own[0] && !S_ISDIR(s.st_mode))
     return message_fail(STATUS_FAILED, "MAGGI_MODELS: %s: %s", own, strerror(ENOTDIR));
-  for (i = 0; i < NDIRECTORY; ++i) {
-    dir = directory(i, beside);
-    if (dir[0] && names_scan(list, dir)) return message_fail(STATUS_FAILED, "out of memory");
+  for (i = 0; i < PLACES; ++i) {
+    dir = places_directory("models", i, beside);
+    if (dir[0] && scan(list, dir)) return message_fail(STATUS_FAILED, "out of memory");
   }
-  if (list->number > 0) qsort(list->name, list->number, sizeof *list->name, compare_names);
+  if (list->number > 0) qsort(list->name, (size_t)list->number, sizeof *list->name, compare_names);
   return STATUS_DONE;
 }
 
@@ -181,8 +115,7 @@ static int unknown_model(const char *spec)
 {
   names list;
   nearest n;
-  size_t i;
-  int status;
+  int i, status;
 
   if (strcmp(spec, GENERATED) == 0)
     return message_fail(STATUS_FAILED, "%s: give its size, as in " GENERATED ":7x15", spec);
@@ -309,8 +242,7 @@ static int print_models(json *j)
   char path[MODELS_PATH_MAX], text[MESSAGE_MAX], failure[MESSAGE_MAX];
   maggi_model *m;
   names list;
-  size_t i;
-  int status;
+  int i, status;
 
   failure[0] = '\0';
   status = list_shipped(&list);

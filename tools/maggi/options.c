@@ -4,6 +4,7 @@
 #include <errno.h>
 #include <limits.h>
 #include <math.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -161,6 +162,40 @@ int options_count(const char *option, const char *text, long least, long *number
     return -1;
   }
   return 0;
+}
+
+int options_bytes(const char *option, const char *text, size_t *bytes)
+{
+  static const char units[] = "KMG";
+  const char *unit = text[0] ? strchr(units, text[strlen(text) - 1]) : NULL;
+  char digits[32];
+  size_t n = strlen(text) - (unit != NULL);
+  int shift = unit ? 10 * (int)(unit - units + 1) : 0;
+  unsigned long long number;
+
+  if (n == 0 || n >= sizeof digits || strspn(text, "0123456789") < n) {
+    message_fail(STATUS_USAGE, "%s: \"%s\" is not a number of bytes, as 65536, 64K, 2M or 1G",
+                 option, text);
+    return -1;
+  }
+  memcpy(digits, text, n);
+  digits[n] = '\0';
+  errno = 0;
+  number = strtoull(digits, NULL, 10);
+  if (errno == ERANGE || number > (SIZE_MAX >> shift) || number == 0) {
+    message_fail(STATUS_USAGE, "%s: %s is too %s", option, text, number == 0 ? "small" : "large");
+    return -1;
+  }
+  *bytes = (size_t)number << shift;
+  return 0;
+}
+
+int options_file(const char *option, const char *text, const char **name)
+{
+  *name = text;
+  if (text[0] != '\0') return 0;
+  message_fail(STATUS_USAGE, "%s: the file name is empty", option);
+  return -1;
 }
 
 int options_size(const char *text, int *number)

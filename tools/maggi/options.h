@@ -2,6 +2,8 @@
 #ifndef TOOL_OPTIONS_H
 #define TOOL_OPTIONS_H
 
+#include <stddef.h>
+
 typedef enum option_kind {
   OPTION_FLAG,     /* --json                                                               */
   OPTION_VALUE,    /* --time 1 or --time=1, once                                           */
@@ -47,6 +49,12 @@ int options_argument(options *o, const char *what, const char **argument);
 int options_number(const char *option, const char *text, double *number);
 int options_positive(const char *option, const char *text, double *number);
 int options_count(const char *option, const char *text, long least, long *number);
+
+/* A number of bytes above zero, with K, M or G (1024, 1024^2, 1024^3) behind it or not; the same. */
+int options_bytes(const char *option, const char *text, size_t *bytes);
+
+/* Take the text as a file name, not an empty one: 0, or -1 after a message. */
+int options_file(const char *option, const char *text, const char **name);
 
 /* Digits only, in the range of int and at least 1: 0, else -1; no message. */
 int options_size(const char *text, int *number);

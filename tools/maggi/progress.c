@@ -30,22 +30,35 @@ static void format_duration(double seconds, char *text, size_t n)
     snprintf(text, n, "years");
 }
 
-void progress_update(progress *p, double now, double t, double time)
+/* The line, with the time that is left when `part` has been done. */
+static void show(progress *p, double now, double part, const char *what)
 {
   char line[200], rest[40];
   int length;
 
-  if (!p->on || now < p->next) return;
   p->next = now + PROGRESS_INTERVAL;
-  if (t > 0.0)
-    format_duration((now - p->begin) * (time - t) / t, rest, sizeof rest);
+  if (part > 0.0)
+    format_duration((now - p->begin) * (1.0 - part) / part, rest, sizeof rest);
   else
     snprintf(rest, sizeof rest, "?");
-  length = snprintf(line, sizeof line, "%3d %%  t = %.4g of %.4g s  %s left",
-                    (int)(100.0 * t / time), t, time, rest);
+  length = snprintf(line, sizeof line, "%3d %%  %s%s left", (int)(100.0 * part), what, rest);
   fprintf(stderr, "\r%-*s", p->width, line); /* cover what was longer */
   fflush(stderr);
   if (length > p->width) p->width = length;
+}
+
+void progress_update(progress *p, double now, double t, double time)
+{
+  char what[100];
+
+  if (!p->on || now < p->next) return;
+  snprintf(what, sizeof what, "t = %.4g of %.4g s  ", t, time);
+  show(p, now, t / time, what);
+}
+
+void progress_part(progress *p, double now, double part)
+{
+  if (p->on && now >= p->next) show(p, now, part, "");
 }
 
 void progress_end(progress *p)

@@ -15,6 +15,9 @@ void progress_begin(progress *p, int show);
 /* now: wall clock; t of time: simulated [s]. */
 void progress_update(progress *p, double now, double t, double time);
 
+/* part: of the work that is done, 0 to 1. */
+void progress_part(progress *p, double now, double part);
+
 /* Erase the line; may be called again. */
 void progress_end(progress *p);
 

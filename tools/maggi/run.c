@@ -1,56 +1,13 @@
 /* Stepping through a simulation. */
 #include "run.h"
 
-#include <float.h>
 #include <math.h>
-#include <signal.h>
-#include <string.h>
 
+#include "interrupt.h"
 #include "progress.h"
 #include "stopwatch.h"
 
 #define RUN_BLOCK 64 /* steps between looks at the clock, when nothing asks for each step */
-
-static volatile sig_atomic_t signal_seen;
-
-static void on_signal(int number)
-{
-  (void)number;
-  signal_seen = 1;
-}
-
-void run_catch_signals(void)
-{
-  struct sigaction action;
-
-  memset(&action, 0, sizeof action);
-  action.sa_handler = on_signal; /* no SA_RESTART: a blocked write ends too */
-  sigemptyset(&action.sa_mask);
-  sigaction(SIGINT, &action, NULL);
-  sigaction(SIGTERM, &action, NULL);
-}
-
-/* time/step carries the rounding of both and of the quotient: 0.3/0.1 is 3 steps. */
-int run_plan(run *r)
-{
-  double ratio = r->time / r->step;
-  double whole = round(ratio);
-
-  if (!(ratio <= (double)RUN_STEPS_MAX)) return -1;
-  r->is_multiple = fabs(ratio - whole) <= 4.0 * DBL_EPSILON * ratio;
-  r->steps = (long)(r->is_multiple ? whole : ceil(ratio));
-  r->last_step = r->is_multiple ? r->step : r->time - (double)(r->steps - 1) * r->step;
-  return 0;
-}
-
-/* Time after k steps.  Steps are differences of these times, so that rows stand at round numbers,
- * without the sum of 1e6 roundings, and the last one exactly at the end. */
-static double time_after(const run *r, long k)
-{
-  if (k == r->steps) return r->time;
-  if (r->is_multiple) return (double)k * r->time / (double)r->steps;
-  return (double)k * r->step;
-}
 
 static void watch_loops(run *r)
 {
@@ -77,13 +34,13 @@ static void watch_energy(run *r)
 static maggi_status advance(run *r, long n)
 {
   maggi_status status = MAGGI_OK;
-  double begin, next, t = time_after(r, r->done);
+  double begin, next, t = maggi_grid_time(&r->grid, r->done);
   long k;
 
   begin = stopwatch_now();
-  for (k = 0; k < n && !signal_seen; ++k) {
+  for (k = 0; k < n && !interrupt_seen(); ++k) {
     if (k > 0) watch_loops(r);
-    next = time_after(r, r->done + 1);
+    next = maggi_grid_time(&r->grid, r->done + 1);
     status = maggi_step(r->data, next - t);
     if (status != MAGGI_OK) break;
     t = next;
@@ -101,7 +58,7 @@ static long block_length(const run *r)
   long row = r->every - r->done % r->every;
 
   if (r->rows->table.file && row < n) n = row;
-  return r->steps - r->done < n ? r->steps - r->done : n;
+  return r->grid.steps - r->done < n ? r->grid.steps - r->done : n;
 }
 
 static void start(run *r)
@@ -133,7 +90,7 @@ maggi_status run_simulate(run *r)
     rows_write(r->rows, r->data);
   }
   progress_begin(&p, r->show_progress);
-  while (r->done < r->steps && !signal_seen && !table_has_failed(t)) {
+  while (r->done < r->grid.steps && !interrupt_seen() && !table_has_failed(t)) {
     status = advance(r, block_length(r));
     if (status != MAGGI_OK) break;
     watch_energy(r);
@@ -141,12 +98,12 @@ maggi_status run_simulate(run *r)
       rows_write(r->rows, r->data);
       last_row = r->done;
     }
-    progress_update(&p, stopwatch_now(), time_after(r, r->done), r->time);
+    progress_update(&p, stopwatch_now(), maggi_grid_time(&r->grid, r->done), r->grid.time);
   }
   if (t->file && status == MAGGI_OK && r->done > last_row && !table_has_failed(t))
     rows_write(r->rows, r->data);
   progress_end(&p);
-  r->interrupted = signal_seen && r->done < r->steps;
+  r->interrupted = interrupt_seen() && r->done < r->grid.steps;
   r->evaluations += r->loops.evaluations;
   return status;
 }

@@ -9,14 +9,10 @@
 typedef struct run {
   /* asked for */
   maggi_data *data;
-  rows *rows;       /* rows->table.file NULL: no rows                                     */
-  double time;      /* end [s]                                                            */
-  double step;      /* [s]                                                                */
-  long steps;       /* run_plan                                                           */
-  int is_multiple;  /* run_plan: time is a multiple of step                               */
-  double last_step; /* run_plan [s]                                                       */
-  long every;       /* steps from row to row                                              */
-  int each_energy;  /* look at the energy after each step, else every few                 */
+  rows *rows;      /* rows->table.file NULL: no rows                                     */
+  maggi_grid grid; /* points of time                                                     */
+  long every;      /* steps from row to row                                              */
+  int each_energy; /* look at the energy after each step, else every few                 */
   int show_progress;
 
   /* found */
@@ -33,14 +29,6 @@ typedef struct run {
   maggi_loop_state loops;  /* at the end                                                  */
   long evaluations;        /* by the steps                                                */
 } run;
-
-#define RUN_STEPS_MAX 1000000000L
-
-/* Fill steps, is_multiple and last_step from time and step: 0, or -1 if there are too many. */
-int run_plan(run *r);
-
-/* Let SIGINT and SIGTERM end run_simulate after the step in progress. */
-void run_catch_signals(void);
 
 /* Step from a fresh reset to the end: status of the step that failed.  Also ends, without a failure
  * of the model, when the table cannot be written or the run is interrupted. */

@@ -2,23 +2,21 @@
 #include <errno.h>
 #include <stdio.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <maggi/maggi.h>
 
 #include "commands.h"
+#include "interrupt.h"
 #include "message.h"
 #include "models.h"
 #include "options.h"
+#include "plan.h"
 #include "rows.h"
 #include "run.h"
 #include "settings.h"
 #include "summary.h"
 #include "table.h"
-
-#define TIME_DEFAULT 1.0  /* [s], when the model proposes nothing */
-#define STEP_DEFAULT 1e-3 /* [s] */
 
 typedef struct request {
   const char *model;
@@ -62,10 +60,7 @@ static int take(request *r, options *o, int id)
   case EVERY:
     return options_count("--every", o->value, 1, &r->every);
   case OUT:
-    r->out = o->value;
-    if (r->out[0] != '\0') return 0;
-    message_fail(STATUS_USAGE, "--out: the file name is empty");
-    return -1;
+    return options_file("--out", o->value, &r->out);
   case REACTIONS:
     r->reactions = o->value;
     return 0;
@@ -82,40 +77,14 @@ static int take(request *r, options *o, int id)
   }
 }
 
-/* Time and step from the command line, else from the model, else the usual ones. */
-static int plan(run *r, const request *want, const maggi_model_info *info)
-{
-  const maggi_simulation_def *file = &info->simulation;
-
-  r->time = want->time > 0.0 ? want->time : file->time > 0.0 ? file->time : TIME_DEFAULT;
-  r->step = want->step > 0.0 ? want->step : file->step > 0.0 ? file->step : STEP_DEFAULT;
-  r->every = want->every > 0 ? want->every : 1;
-  if (r->step > r->time)
-    return message_fail(STATUS_USAGE, "--step: %.6g s is longer than the simulation, %.6g s",
-                        r->step, r->time);
-  if (run_plan(r))
-    return message_fail(STATUS_USAGE, "--step: %.6g s in steps of %.6g s is more than %ld steps",
-                        r->time, r->step, RUN_STEPS_MAX);
-  return STATUS_DONE;
-}
-
 /* What the user may not expect; standard error must stay JSON where the summary goes there. */
 static void note_surprises(const run *r, const request *want)
 {
   int to_stdout = want->out && strcmp(want->out, "-") == 0;
 
-  if (!r->is_multiple && !(to_stdout && want->json))
-    message_note("%.6g s is not a multiple of the step of %.6g s: the last of %ld steps is %.6g s",
-                 r->time, r->step, r->steps, r->last_step);
+  if (!(to_stdout && want->json)) plan_note(&r->grid);
   if (!want->out && (want->reactions || want->every > 0))
     message_note("%s has no effect without --out", want->reactions ? "--reactions" : "--every");
-}
-
-static int is_same_file(const char *a, const char *b)
-{
-  struct stat sa, sb;
-
-  return stat(a, &sa) == 0 && stat(b, &sb) == 0 && sa.st_dev == sb.st_dev && sa.st_ino == sb.st_ino;
 }
 
 static int fail_data(const request *want, const maggi_data *d, maggi_status status)
@@ -157,13 +126,14 @@ static int simulate_data(run *r, const request *want, const char *model_path)
     return message_fail(STATUS_USAGE, "--tolerance: %.6g is refused", want->tolerance);
   status = settings_apply(&want->set, r->rows->model, r->data);
   if (status != STATUS_DONE) return status;
-  if (want->out && is_same_file(want->out, model_path))
+  if (want->out && table_is_same_file(want->out, model_path))
     return message_fail(STATUS_FAILED, "%s: is the model file", want->out);
-  run_catch_signals(); /* before there is a file to leave behind */
+  interrupt_catch(); /* before there is a file to leave behind */
   if (want->out) {
     status = table_open(&r->rows->table, want->out);
     if (status != STATUS_DONE) return status;
   }
+  r->every = want->every > 0 ? want->every : 1;
   r->each_energy = want->energy || want->json;
   r->show_progress = !(to_stdout && isatty(STDOUT_FILENO));
 
@@ -187,7 +157,7 @@ static int simulate_model(const request *want)
   memset(&r, 0, sizeof r);
   r.rows = &w;
   status = rows_init(&w, m, want->energy, want->reactions);
-  if (status == STATUS_DONE) status = plan(&r, want, &w.info);
+  if (status == STATUS_DONE) status = plan_grid(&w.info, want->time, want->step, &r.grid);
   if (status == STATUS_DONE && maggi_data_create(m, &r.data) != MAGGI_OK)
     status = message_fail(STATUS_FAILED, "%s: out of memory", want->model);
   if (status == STATUS_DONE) status = simulate_data(&r, want, path);

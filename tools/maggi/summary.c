@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "json.h"
+#include "plan.h"
 
 #define STATE_LINES_MAX 12 /* coordinates whose final state is printed as text */
 
@@ -51,9 +52,9 @@ void summary_text(const run *r, const char *out_name, FILE *out)
           info->bodies, info->coordinates, r->loops.dof);
   if (r->interrupted)
     fprintf(out, "interrupted   at t = %.6g s, after %ld of %ld steps\n", maggi_get_time(r->data),
-            r->done, r->steps);
+            r->done, r->grid.steps);
   fprintf(out, "simulated     %.6g s in %ld steps of %.6g s\n", maggi_get_time(r->data), r->done,
-          r->step);
+          r->grid.step);
   fprintf(out, "computed in   %.3g s", r->wall);
   if (r->evaluations > 0)
     fprintf(out, ", %.3g us for each of %ld evaluations", us_per_evaluation(r), r->evaluations);
@@ -91,8 +92,8 @@ void summary_json(const run *r, const char *out_name, FILE *out)
   json_integer(&j, "loop_equations", info->loop_equations);
   json_integer(&j, "rank", r->loops.rank);
   json_number(&j, "time", maggi_get_time(r->data));
-  json_number(&j, "step", r->step);
-  json_number(&j, "last_step", r->last_step);
+  json_number(&j, "step", r->grid.step);
+  json_number(&j, "last_step", plan_last_step(&r->grid));
   json_integer(&j, "steps", r->done);
   json_integer(&j, "evaluations", r->evaluations);
   json_number(&j, "wall_s", r->wall);

@@ -1,4 +1,4 @@
-/* CSV with RFC 4180 commas; names of maggi need no quotes. */
+/* CSV as in RFC 4180; names of maggi need no quotes. */
 #ifndef _XOPEN_SOURCE
 #define _XOPEN_SOURCE 700 /* realpath */
 #endif
@@ -86,6 +86,13 @@ int table_open(table *t, const char *name)
   return status;
 }
 
+int table_is_same_file(const char *a, const char *b)
+{
+  struct stat sa, sb;
+
+  return stat(a, &sa) == 0 && stat(b, &sb) == 0 && sa.st_dev == sb.st_dev && sa.st_ino == sb.st_ino;
+}
+
 static void separate(table *t)
 {
   if (t->column++ > 0) putc(',', t->file);
@@ -105,6 +112,19 @@ void table_number(table *t, double x)
     fputs("nan", t->file); /* without the sign that printf may add */
   else
     fprintf(t->file, "%.17g", x);
+}
+
+void table_text(table *t, const char *text)
+{
+  int quoted = strpbrk(text, ",\"\r\n") != NULL;
+
+  separate(t);
+  if (quoted) putc('"', t->file);
+  for (; *text; ++text) {
+    if (*text == '"') putc('"', t->file);
+    putc(*text, t->file);
+  }
+  if (quoted) putc('"', t->file);
 }
 
 void table_end_header(table *t)

@@ -21,9 +21,13 @@ typedef struct table {
 /* Create it: exit status, after a message when it is not STATUS_DONE.  name must stay. */
 int table_open(table *t, const char *name);
 
+/* Whether two names are one file that exists. */
+int table_is_same_file(const char *a, const char *b);
+
 /* Cells of the header, name with suffix (may be NULL), and of rows; then the end of the line. */
 void table_title(table *t, const char *name, const char *suffix);
 void table_number(table *t, double x);
+void table_text(table *t, const char *text); /* in quotes where it needs them */
 void table_end_header(table *t);
 void table_end_row(table *t);
 

@@ -309,9 +309,24 @@ typedef struct maggi_function_def {
   const double *values;
 } maggi_function_def;
 
-/* A sensor writes three columns, NAME.x NAME.y NAME.z, or NAME.roll NAME.pitch NAME.yaw:
- * position [m], velocity [m/s], acceleration [m/s^2] of a body point in global axes; or the angles
- * [rad] of R = Rz(yaw) Ry(pitch) Rx(roll), the rotation of the body since the initial position.
+/* A sensor writes three columns:
+ *
+ *   position, velocity, acceleration  NAME.x NAME.y NAME.z of a body point [m, m/s, m/s^2], global axes
+ *   angles                NAME.roll NAME.pitch NAME.yaw [rad] of R = Rz(yaw) Ry(pitch) Rx(roll), the
+ *                         rotation of the body since the initial position
+ *   angle_rates           NAME.roll_rate NAME.pitch_rate NAME.yaw_rate [rad/s], their rates; they grow
+ *                         without bound where pitch is a right angle
+ *   angular_velocity, angular_acceleration  NAME.x NAME.y NAME.z of the body [rad/s, rad/s^2], global
+ *                         axes
+ *   spring                NAME.length [m], NAME.rate [m/s], NAME.force [N] of a spring, tension
+ *                         positive, its damper included
+ *   joint_spring          NAME.value, NAME.rate, NAME.torque of a spring on coordinates [rad, rad/s,
+ *                         N m; m, m/s, N]: torque or force on `coordinate`
+ *   rod                   NAME.length [m], NAME.rate [m/s], NAME.force [N] of a rod: its multiplier,
+ *                         tension positive
+ *
+ * at_cog: the point is the centre of gravity of the body as its `cog` says, or the middle of its bar;
+ * then `point` is no parameter.
  * Paths: sensors.NAME.point.x ..
  */
 typedef enum maggi_sensor_type {
@@ -319,14 +334,22 @@ typedef enum maggi_sensor_type {
   MAGGI_SENSOR_VELOCITY,
   MAGGI_SENSOR_ACCELERATION,
   MAGGI_SENSOR_ANGLES,
+  MAGGI_SENSOR_ANGLE_RATES,
+  MAGGI_SENSOR_ANGULAR_VELOCITY,
+  MAGGI_SENSOR_ANGULAR_ACCELERATION,
+  MAGGI_SENSOR_SPRING,
+  MAGGI_SENSOR_JOINT_SPRING,
+  MAGGI_SENSOR_ROD,
   MAGGI_SENSOR_TYPE_COUNT
 } maggi_sensor_type;
 
 typedef struct maggi_sensor_def {
   const char *name;
   maggi_sensor_type type;
-  const char *body;
-  double point[3];
+  const char *body;    /* not of springs and rods */
+  double point[3];     /* of position, velocity, acceleration */
+  int at_cog;          /* true: instead of `point` */
+  const char *element; /* name of the spring or rod */
 } maggi_sensor_def;
 
 /* What a model file proposes for a simulation; 0 means: no proposal. */
@@ -420,6 +443,7 @@ maggi_status maggi_model_load(const char *path, maggi_model **model, char *messa
  * z_1'(0) = pi/3 rad/s on the first vertical bar.  (2*ny + 1)*nz bars of 1 m and 1 kg in the yz
  * plane, as many coordinates, nz degrees of freedom.  Vertical bars v_R_C and horizontal ones h_R_C,
  * rows R and columns C from 1; v_R_C turns relative to the vertical above it, h_R_C to v_R_C.
+ * Objectives: swing, load, energy, turn.
  *
  * in    ny, nz   at least 1
  * status         MAGGI_OK, MAGGI_E_VALUE, MAGGI_E_MEMORY
@@ -695,6 +719,330 @@ void maggi_motion_vjp(maggi_derivative *D, const double *v_bar, const double *a_
 void maggi_motion_hvp(maggi_derivative *D, const double *v_bar, const double *a_bar,
                       const double *q, const double *v, const double *p, double *q_out,
                       double *v_out, double *p_out);
+
+/* -------------------------------------------------------------- signals, objectives, design */
+
+/* A signal is a scalar over time: each column of maggi simulate but t, energy.work and loops.*, by the
+ * name it has there: NAME.q NAME.v NAME.a of a coordinate, energy.kinetic energy.potential
+ * energy.total, BODY.fx .. BODY.mz of a reaction, and the columns of the sensors.  Numbered from 0 in
+ * this order.  A name that several have means the first. */
+int maggi_signal_number(const maggi_model *m);
+const char *maggi_signal_name(const maggi_model *m, int signal); /* NULL outside the range */
+const char *maggi_signal_unit(const maggi_model *m, int signal);
+int maggi_signal_find(const maggi_model *m, const char *name); /* -1: none */
+/* Present values of n signals of a simulation. */
+void maggi_get_signals(maggi_data *d, int n, const int *signal, double *values);
+
+/* Points of time of a simulation of `time` seconds in steps of `step`: 0, step, 2 step, .. and `time`
+ * itself, so that the last step may be shorter.  What is a multiple but for rounding counts as one.
+ * init: status MAGGI_OK; MAGGI_E_VALUE when a number is not positive or not finite, or for more than
+ * 1e9 steps. */
+typedef struct maggi_grid {
+  double time, step; /* [s] */
+  long steps;
+  int is_multiple;
+} maggi_grid;
+
+maggi_status maggi_grid_init(maggi_grid *grid, double time, double step);
+double maggi_grid_time(const maggi_grid *grid, long k); /* after k steps */
+
+/* A scalar function of the signals of a whole simulation, on the points of time of its grid.  With
+ * s(t) = signal - target, T the length of the simulation:
+ *
+ *   integral         int s dt                          value         sum of s at given times
+ *   integral_square  int s^2 dt                        terminal      s(T)
+ *   mean             int s dt / T                      maximum       largest s
+ *   mean_square      int s^2 dt / T                    minimum       smallest s
+ *   rms              sqrt(int s^2 dt / T)              peak          largest |s|
+ *   rmq              (int s^4 dt / T)^(1/4)            smooth_maximum
+ *   vdv              (int s^4 dt)^(1/4)                  log(int exp(sharpness s) dt / T) / sharpness
+ *   least_squares    sum (s - value)^2 / number over points (time, value) of a record
+ *   sum              sum of weights times other objectives
+ *
+ * Integrals are those of the piecewise polynomial of degree 5 through the samples; between samples
+ * (maximum, value, least_squares) s is that polynomial too.  The sample before a last step shorter than
+ * 0.28 of the others is left out of it. */
+typedef enum maggi_objective_type {
+  MAGGI_OBJECTIVE_INTEGRAL,
+  MAGGI_OBJECTIVE_INTEGRAL_SQUARE,
+  MAGGI_OBJECTIVE_MEAN,
+  MAGGI_OBJECTIVE_MEAN_SQUARE,
+  MAGGI_OBJECTIVE_RMS,
+  MAGGI_OBJECTIVE_RMQ,
+  MAGGI_OBJECTIVE_VDV,
+  MAGGI_OBJECTIVE_MAXIMUM,
+  MAGGI_OBJECTIVE_MINIMUM,
+  MAGGI_OBJECTIVE_PEAK,
+  MAGGI_OBJECTIVE_SMOOTH_MAXIMUM,
+  MAGGI_OBJECTIVE_VALUE,
+  MAGGI_OBJECTIVE_TERMINAL,
+  MAGGI_OBJECTIVE_LEAST_SQUARES,
+  MAGGI_OBJECTIVE_SUM,
+  MAGGI_OBJECTIVE_TYPE_COUNT
+} maggi_objective_type;
+
+/* A scalar made of several signals: returns g(t, signals) and fills its gradient, n numbers. */
+typedef double (*maggi_signal_function)(void *context, double t, int n, const double *signals,
+                                        double *gradient);
+
+/* Definition of an objective.  Strings and arrays are copied, `context` must stay.
+ *
+ *   signal     name, or, when `function` is there, NULL and nsignal names in `signals`
+ *   target     subtracted; default 0
+ *   sharpness  of smooth_maximum, positive, in one over the unit of the signal
+ *   times      of value and least_squares, in rising order          (number)
+ *   values     of least_squares                                     (number)
+ *   terms, weights  of sum: names of objectives declared in the model, not sums   (nterm);
+ *              weights NULL: 1
+ */
+typedef struct maggi_objective_def {
+  const char *name;
+  maggi_objective_type type;
+  const char *signal;
+  int nsignal;
+  const char *const *signals;
+  maggi_signal_function function;
+  void *context;
+  double target;
+  double sharpness;
+  int number;
+  const double *times;
+  const double *values;
+  int nterm;
+  const char *const *terms;
+  const double *weights;
+} maggi_objective_def;
+
+/* A design parameter b: a name for one or several entries of p that it moves together,
+ *
+ *   p_j = p_j0 + factor_j (b - nominal)
+ *
+ *   paths    of entries, or globs (* ? [a-z]) that stand for all entries they match   (number)
+ *   factors  one for each path; NULL: 1                                               (number)
+ *   nominal  value of b at p_0; NAN: that of the first entry over its factor
+ *   lower, upper  bounds of b, for optimisers; -INFINITY, INFINITY: none
+ *   unit     NULL: that of the first entry
+ */
+typedef struct maggi_design_def {
+  const char *name;
+  const char *unit;
+  int number;
+  const char *const *paths;
+  const double *factors;
+  double nominal, lower, upper;
+} maggi_design_def;
+
+void maggi_objective_def_init(maggi_objective_def *def);
+void maggi_design_def_init(maggi_design_def *def);
+const char *maggi_objective_type_name(maggi_objective_type type); /* "integral", .. */
+int maggi_objective_type_find(const char *name);
+
+/* Declare them in a model; as the other maggi_builder_.. */
+maggi_status maggi_builder_objective(maggi_builder *b, const maggi_objective_def *def);
+maggi_status maggi_builder_design(maggi_builder *b, const maggi_design_def *def);
+
+/* Names of those declared in a model, owned by it, NULL outside the range. */
+const char *maggi_model_objective(const maggi_model *m, int index);
+const char *maggi_model_design(const maggi_model *m, int index);
+
+/* An objective to be evaluated: of a definition; or by name, one declared in the model or
+ * `TYPE(SIGNAL)`, as in "rms(tip.z)", for types that need no more.
+ *
+ * out   objective  NULL on failure
+ *       message    what is wrong, one line                              (nmessage chars)
+ * status           MAGGI_OK; MAGGI_E_MEMORY; MAGGI_E_NAME; MAGGI_E_VALUE
+ * memory           its own; free with maggi_objective_free, before the model
+ * threads          one thread at a time
+ * since            0.3
+ */
+typedef struct maggi_objective maggi_objective;
+maggi_status maggi_objective_create(const maggi_model *m, const maggi_objective_def *def,
+                                    maggi_objective **objective, char *message, size_t nmessage);
+maggi_status maggi_objective_named(const maggi_model *m, const char *name,
+                                   maggi_objective **objective, char *message, size_t nmessage);
+void maggi_objective_free(maggi_objective *objective);
+const char *maggi_objective_name(const maggi_objective *objective);
+const char *maggi_objective_unit(const maggi_objective *objective); /* "m^2 s", "(rad/s)^2", .. */
+/* The signals it reads, each once: their number; *signal is owned by the objective. */
+int maggi_objective_signals(const maggi_objective *objective, const int **signal);
+
+/* The design parameters of a study, in the order in which they were added.  p_0 are the parameters of d
+ * when it is created.
+ *
+ * add      of a definition
+ * select   all that a pattern means: "all" every entry of p by its path; else the declared design
+ *          parameters whose name matches the glob; else the entries of p whose path does
+ * set      p of d for values b of the design parameters (number); what several do to one entry adds
+ *          up.  As maggi_data_set_parameter, but does not prescribe initial positions and velocities;
+ *          on failure these entries are those of p_0
+ * status   MAGGI_OK; MAGGI_E_MEMORY; MAGGI_E_NAME for a name that is nowhere or there already;
+ *          MAGGI_E_VALUE; text in message
+ * threads  as memory: shared after it has been filled
+ * since    0.3
+ */
+typedef struct maggi_design maggi_design;
+maggi_status maggi_design_create(const maggi_data *d, maggi_design **design);
+void maggi_design_free(maggi_design *design);
+maggi_status maggi_design_add(maggi_design *design, const maggi_design_def *def, char *message,
+                              size_t nmessage);
+maggi_status maggi_design_select(maggi_design *design, const char *pattern, char *message,
+                                 size_t nmessage);
+maggi_status maggi_design_set(const maggi_design *design, maggi_data *d, const double *b);
+int maggi_design_number(const maggi_design *design);
+const char *maggi_design_name(const maggi_design *design, int index);
+const char *maggi_design_unit(const maggi_design *design, int index);
+double maggi_design_value(const maggi_design *design, int index); /* nominal */
+double maggi_design_lower(const maggi_design *design, int index);
+double maggi_design_upper(const maggi_design *design, int index);
+
+/* ------------------------------------------------------------------ penalty formulation, implicit */
+
+/* Ways to the Jacobian J = [dQ/dz dQ/dz'] of the forces, [1] chapter 4: centred differences or tangents, column by
+ * column or by colours (columns without a common row together), or row by row by adjoints. */
+typedef enum maggi_jacobian {
+  MAGGI_JACOBIAN_DIFFERENCE,
+  MAGGI_JACOBIAN_DIFFERENCE_COLOURED,
+  MAGGI_JACOBIAN_TANGENT,
+  MAGGI_JACOBIAN_TANGENT_COLOURED,
+  MAGGI_JACOBIAN_ADJOINT,
+  MAGGI_JACOBIAN_COUNT
+} maggi_jacobian;
+const char *maggi_jacobian_name(maggi_jacobian way);
+int maggi_jacobian_find(const char *name);
+
+/*   penalty     alpha: force on a loop that is open by 1 [N/m, N m]; default 1e9
+ *   tolerance   Newton's method ends when no coordinate moves by more [rad, m]; default 1e-8
+ *   jacobian    default tangent-coloured
+ *   reuse       iterations with the same Jacobian; default 3
+ *   iterations  at most; default 30 */
+typedef struct maggi_penalty_options {
+  double penalty, tolerance;
+  maggi_jacobian jacobian;
+  int reuse, iterations;
+} maggi_penalty_options;
+void maggi_penalty_options_init(maggi_penalty_options *options);
+
+/* steps, Newton iterations and Jacobians since the reset; nonzeros of J and colours of its columns (columns, where
+ * the way does not use colours) */
+typedef struct maggi_penalty_state {
+  long steps, iterations, jacobians;
+  int nonzeros, colours;
+} maggi_penalty_state;
+
+/* The simulation d by the semi-recursive penalty formulation and the trapezoidal rule, of order 2 and implicit, [1]
+ * 4.2: all coordinates are integrated, springs of stiffness `penalty` hold the loops together, velocities and
+ * accelerations are projected onto what the loops allow.  reset and step stand in for maggi_data_reset and maggi_step;
+ * all that one can ask of d is that of the present state.
+ *
+ * status     of create MAGGI_OK, MAGGI_E_MEMORY, MAGGI_E_VALUE; of reset as maggi_data_reset; of step MAGGI_OK,
+ *            MAGGI_E_NOT_FINITE when Newton's method does not converge, MAGGI_E_MASS, MAGGI_E_VALUE, MAGGI_E_MODEL;
+ *            text in maggi_data_message
+ * memory     all of it in create and reset; free(NULL) does nothing
+ * threads    one thread for d and what hangs on it
+ * since      0.4
+ */
+typedef struct maggi_penalty maggi_penalty;
+maggi_status maggi_penalty_create(maggi_data *d, const maggi_penalty_options *options,
+                                  maggi_penalty **penalty);
+void maggi_penalty_free(maggi_penalty *s);
+maggi_status maggi_penalty_reset(maggi_penalty *s);
+maggi_status maggi_penalty_step(maggi_penalty *s, double h);
+void maggi_penalty_get_state(const maggi_penalty *s, maggi_penalty_state *state);
+
+/* -------------------------------------------------------------- sensitivities of a simulation */
+
+/* State sensitivities: derivatives with respect to the design parameters, carried along with the
+ * simulation (direct differentiation, [1] 5.3).  Exact derivatives of what maggi_data_reset and
+ * maggi_step compute: the initial state follows its assembly, drift control and changes of the
+ * independent coordinates are differentiated; the sequence of steps and choices is held.
+ *
+ *   create   for the design parameters there are (n), which must stay
+ *   reset    maggi_data_reset with derivatives of the initial state
+ *   step     maggi_step with derivatives.  Steps of d without it end the sensitivities: reset again
+ *   get      derivatives of the present state, parameter last; NULL: not wanted
+ *            q, v, a (coordinates x n); signals (nsignal x n)
+ *
+ * status   as maggi_data_reset, maggi_step; MAGGI_E_MEMORY; text in maggi_data_message
+ * memory   all of it in create and the first reset, but for changes of independent coordinates
+ * threads  one thread for d and what hangs on it
+ * since    0.3
+ */
+typedef struct maggi_direct maggi_direct;
+maggi_status maggi_direct_create(maggi_data *d, const maggi_design *design, maggi_direct **direct);
+void maggi_direct_free(maggi_direct *s);
+maggi_status maggi_direct_reset(maggi_direct *s);
+maggi_status maggi_direct_step(maggi_direct *s, double h);
+void maggi_direct_get_coordinates(const maggi_direct *s, double *q, double *v, double *a);
+void maggi_direct_get_signals(maggi_direct *s, int nsignal, const int *signal, double *values);
+
+/* How a gradient is computed.
+ *
+ *   direct              state sensitivities; cost grows with the number of design parameters
+ *   adjoint             of the discrete simulation, backwards through its Runge-Kutta steps: the same
+ *                       numbers as direct; cost hardly depends on the number of design parameters
+ *   continuous_adjoint  adjoint equations of the continuous motion, integrated backwards ([1] 5.4):
+ *                       differs from the others by the truncation error of both integrations
+ *   difference          centred differences of whole simulations; forward_, backward_difference
+ */
+typedef enum maggi_method {
+  MAGGI_METHOD_DIRECT,
+  MAGGI_METHOD_ADJOINT,
+  MAGGI_METHOD_CONTINUOUS_ADJOINT,
+  MAGGI_METHOD_DIFFERENCE,
+  MAGGI_METHOD_FORWARD_DIFFERENCE,
+  MAGGI_METHOD_BACKWARD_DIFFERENCE,
+  MAGGI_METHOD_COUNT
+} maggi_method;
+const char *maggi_method_name(maggi_method method);
+int maggi_method_find(const char *name);
+
+/* in    time, step    of the simulation [s]
+ *       penalty       options of the penalty formulation, NULL: maggi_step.  Newton's method then goes to a
+ *                     tolerance of 1e-12 at most; the adjoint method keeps all states
+ *       perturbation  of differences, relative to the value of a design parameter, absolute where that
+ *                     is 0; default 1e-6
+ *       snapshots     adjoint: states kept at a time, others are computed again from them by the
+ *                     schedule with the fewest steps; 0: all of them if `memory` suffices
+ *       memory        bytes for states of the simulation; default 1 GiB
+ *       progress      called now and then with the part that is done; NULL: none.  True stops
+ * out   relevance     direct: largest |q_b| over time of each parameter ([1] 5.45), and the coordinate;
+ *       coordinate    NULL: not wanted                                  (design parameters)
+ *       steps         of one simulation
+ *       recomputed    adjoint: steps computed again, besides the one that precedes its reversal
+ *       kept          adjoint: snapshots at most
+ */
+typedef struct maggi_gradient_options {
+  double time, step;
+  maggi_method method;
+  const maggi_penalty_options *penalty;
+  double perturbation;
+  int snapshots;
+  size_t memory;
+  int (*progress)(void *context, double part);
+  void *context;
+  double *relevance;
+  int *coordinate;
+  long steps, recomputed, kept;
+} maggi_gradient_options;
+void maggi_gradient_options_init(maggi_gradient_options *options);
+
+/* Objectives of a simulation from maggi_data_reset on, and their gradients.
+ *
+ * in    d          parameters and tolerance as they are
+ *       objective                                                     (nobjective)
+ * out   value      of the objectives                                  (nobjective)
+ *       gradient   NULL: values alone          (nobjective x design parameters)
+ *
+ * status     as maggi_data_reset, maggi_step; MAGGI_E_MEMORY; MAGGI_E_VALUE naming an objective
+ *            without a value (a time that the simulation does not reach) or without derivative (the
+ *            root of zero); MAGGI_E_STOPPED; text in maggi_data_message
+ * memory     allocated and freed within
+ * threads    one thread for d; several d may share the design, not the objectives
+ * since      0.3
+ */
+maggi_status maggi_gradient(maggi_data *d, const maggi_design *design, int nobjective,
+                            maggi_objective *const *objective, maggi_gradient_options *options,
+                            double *value, double *gradient);
 
 #ifdef __cplusplus
 }

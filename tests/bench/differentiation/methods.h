@@ -2,27 +2,13 @@
 #ifndef BENCH_METHODS_H
 #define BENCH_METHODS_H
 
-#include "maggi/maggi.h"
-#include "topo.h"
+#include "problem.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
 enum { DIRECTIONS = 35 };
-
-/* y = f(x), the motion of maggi.h, with the constants from p; coordinates in the order of the user:
- *   x   q, v, p  (2 nq + np)   velocities of dependent and guided coordinates do not count
- *   y   v, a     (2 nq)                                                                          */
-typedef struct problem {
-  maggi_data *d; /* stands at x, and is left there */
-  const maggi_topo *t;
-  int originadr;
-  const int *q; /* (nq) internal number of a coordinate */
-  double time;
-  int nx, ny;
-  const double *x;
-} problem;
 
 /* Each call includes all that it needs besides x: a plain evaluation, factors, a sweep over the
  * tape.  NULL for what a method does not offer.

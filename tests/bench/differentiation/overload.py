@@ -3,10 +3,11 @@
 
 usage: overload.py CORE FOLDER
 
-Writes FOLDER/kernel.inc from core/kernel and the lists of core/dynamics/data.h, and
-FOLDER/evaluate.inc from core/dynamics/evaluate.c.  C++ has no parameters of variable length and no
-conversion from void *, and a tool may record the copy of what is passed by value: nothing else
-changes.  evaluation.inc includes both, perhaps twice, so there are no include guards.
+Writes FOLDER/kernel.inc from core/kernel and the lists of core/dynamics/data.h,
+FOLDER/evaluate.inc from core/dynamics/evaluate.c, with the first part of accelerate as `reduce`, and
+FOLDER/chain.inc, the forces of the open chain, from core/implicit/chain.c.
+C++ has no parameters of variable length and no conversion from void *, and a tool may record the
+copy of what is passed by value; rows are copied by the copy_rows of who includes: nothing else changes.  evaluation.inc includes both, perhaps twice, so there are no include guards.
 """
 import pathlib
 import re
@@ -15,6 +16,8 @@ import sys
 FOREIGN = {"topo.h", "maggi/maggi.h"}               # as they are, by who includes the result
 WITHOUT = {"energy.c", "reaction.c", "sensor.c"}    # no part of an evaluation
 EVALUATE = ["maggi_constants", "maggi_evaluate_positions", "move", "accelerate"]
+CHAIN = ["guide", "move", "resist", "sum", "maggi_chain_forces"]
+REDUCE = r"(.*?)\baccelerate(\(.*?\bmaggi_reduced_force\([^;]*;\n)"  # all before the solve
 
 RULES = [
     (r"(?s)\A(.*?)^#ifndef MAGGI_\w+_H\n#define MAGGI_\w+_H\n(.*)^#endif\n\Z", r"\1\2"),
@@ -28,6 +31,7 @@ RULES = [
     # product or number: two types where products are expressions
     (r"\? ([0-9.]+ \* [^?:;]+) : ([^?:;]+);", r"? real(\1) : real(\2);"),
     (r"\bvoid \*(\w+) =", r"auto *\1 ="),
+    (r"\bmemcpy\((\S+), (\S+), (.*) \* sizeof \*\1\);", r"copy_rows(\1, \2, \3);"),
 ]
 
 
@@ -55,6 +59,11 @@ def find(pattern, path, what):
     return found
 
 
+def take(names, path):
+    """Functions of a file as C++."""
+    return [overload(find(rf"^(?:static )?void {name}\(.*?^}}\n", path, name)[0]) for name in names]
+
+
 def write(path, parts):
     path.write_text("/* by overload.py */\n" + "\n".join(parts), encoding="utf-8")
 
@@ -69,9 +78,12 @@ def main():
               if path.name not in WITHOUT]
     write(folder / "kernel.inc", parts)
     evaluate = core / "dynamics/evaluate.c"
-    write(folder / "evaluate.inc", [
-        overload(find(rf"^(?:static )?void {name}\(.*?^}}\n", evaluate, name)[0])
-        for name in EVALUATE])
+    functions = take(EVALUATE, evaluate)
+    reduce = re.match(REDUCE, functions[-1], flags=re.DOTALL)
+    if not reduce:
+        sys.exit(f"overload.py: {evaluate}: accelerate has no reduced force")
+    write(folder / "evaluate.inc", functions + [f"{reduce[1]}reduce{reduce[2]}}}\n"])
+    write(folder / "chain.inc", take(CHAIN, core / "implicit/chain.c"))
 
 
 if __name__ == "__main__":
