@@ -7,11 +7,12 @@
 #ifdef MAGGI_WITH_KLU
 #include <klu.h>
 
-/* below so many unknowns dense elimination is faster: bench-derivatives */
-enum { DENSE_BELOW = 24 };
-#else
-enum { DENSE_BELOW = 1 << 30 };
 #endif
+
+/* Dense elimination is faster with so few unknowns, or where sparse elimination does more than this share of
+ * its operations: make bench-derivatives */
+enum { DENSE_UNKNOWNS = 8 };
+#define DENSE_SHARE 0.2
 
 /* a factorisation that repeats the pivots of another one must not lose more */
 #define WORST_PIVOT 1e-13
@@ -121,11 +122,18 @@ static void solve_dense_transposed(const maggi_factor *f, double *x)
 
 #ifdef MAGGI_WITH_KLU
 
-static int create_sparse(maggi_factor *f)
+static int analyse(maggi_factor *f)
 {
   klu_defaults(&f->common);
   f->symbolic = klu_analyze(f->n, f->a->coladr, f->a->row, &f->common);
   return f->symbolic != NULL;
+}
+
+static int is_sparse_faster(const maggi_factor *f)
+{
+  double n = f->n;
+
+  return f->symbolic->est_flops < DENSE_SHARE * 2.0 / 3.0 * n * n * n;
 }
 
 static void free_sparse(maggi_factor *f)
@@ -160,7 +168,13 @@ static void solve_sparse(const maggi_factor *f, int n, double *x, int is_transpo
 
 #else
 
-static int create_sparse(maggi_factor *f)
+static int analyse(maggi_factor *f)
+{
+  (void)f;
+  return 0;
+}
+
+static int is_sparse_faster(const maggi_factor *f)
 {
   (void)f;
   return 0;
@@ -190,18 +204,17 @@ maggi_status maggi_factor_create(const maggi_sparsity *a, maggi_factor **factor)
 {
   maggi_factor *f = calloc(1, sizeof *f);
   size_t n = (size_t)a->ncol;
-  int ok;
+  int ok = 1;
 
   *factor = NULL;
   if (!f) return MAGGI_E_MEMORY;
   f->a = a;
   f->n = a->ncol;
-  if (f->n < DENSE_BELOW) {
+  if (f->n <= DENSE_UNKNOWNS || !analyse(f) || !is_sparse_faster(f)) {
+    free_sparse(f);
     f->dense = malloc(n * n * sizeof(double) + 1);
     f->pivot = malloc(n * sizeof(int) + 1);
     ok = f->dense && f->pivot;
-  } else {
-    ok = create_sparse(f);
   }
   if (!ok) {
     maggi_factor_free(f);

@@ -159,6 +159,25 @@ static void drive(maggi_penalty *s)
   }
 }
 
+/* Multipliers are those of the dependent coordinates: other ones when these have become bad, as by
+ * maggi_step. */
+static maggi_status renew(maggi_data *d, double time)
+{
+  maggi_status status;
+  int changed;
+
+  d->pivot_ratio = d->stage_ratio;
+  if (d->pivot_ratio > 2.0 * MAGGI_RENEW_BELOW) d->replan_below = MAGGI_RENEW_BELOW;
+  if (d->t.ndep == 0 || !(d->pivot_ratio < d->replan_below)) return MAGGI_OK;
+  status = maggi_plan_renew(d, &changed);
+  if (status != MAGGI_OK) return status;
+  d->changes += changed;
+  d->replan_below = changed ? MAGGI_RENEW_BELOW : 0.5 * d->pivot_ratio;
+  maggi_evaluate_given(d, time);
+  d->pivot_ratio = d->stage_ratio;
+  return MAGGI_OK;
+}
+
 maggi_status maggi_penalty_step(maggi_penalty *s, double h)
 {
   maggi_data *d = s->d;
@@ -180,8 +199,9 @@ maggi_status maggi_penalty_step(maggi_penalty *s, double h)
   if (status == MAGGI_OK) status = finish(s, h, time);
   if (status != MAGGI_OK) return status;
   maggi_evaluate_given(d, time);
+  status = renew(d, time);
+  if (status != MAGGI_OK) return status;
   if (d->t.nguide > 0) drive(s);
-  d->pivot_ratio = d->stage_ratio;
   d->work += 0.5 * h * (power + d->power[0]);
   d->time = time;
   d->ready = 1;

@@ -1,8 +1,11 @@
 /* Adjoint of a step of the penalty formulation: the equations of penalty_direct.c from the last to
- * the first. */
+ * the first.  Each is solved twice, the second time for what the first solution leaves: loops are
+ * stiff, and the factors alone lose digits with alpha h^2. */
 #include <string.h>
 
 #include "penalty.h"
+
+enum { PASSES = 2 };
 
 /* weights of w: f times the solution of the transposed equations with the adjoints of the
  * coordinates that are not guided */
@@ -18,8 +21,8 @@ static void solve_transposed(maggi_penalty_derivative *x, const maggi_factor *fa
   for (i = 0; i < n; ++i) w[q[i]] = f * x->column[i];
 }
 
-/* back through a projection: adjoints of what it projects, and, added to y, of s->rate or s->gama,
- * of which multipliers are f times as large */
+/* back through a projection with adjoints `bar` of its result: added, adjoints of what it projects,
+ * and of s->rate or s->gama, of which multipliers are f times as large */
 static void go_before(maggi_penalty_derivative *x, maggi_rest *rest, double f, const double *bar,
                       double *before, double *y)
 {
@@ -29,15 +32,20 @@ static void go_before(maggi_penalty_derivative *x, maggi_rest *rest, double f, c
   maggi_rest_clear(rest);
   solve_transposed(x, x->s->projection, 1.0, bar, rest->adjoint.w);
   maggi_adjoint_rest(x->D, rest);
-  for (i = 0; i < t->nq; ++i) before[i] = t->qguide[i] < 0 ? -rest->adjoint.a[i] : 0.0;
+  for (i = 0; i < t->nq; ++i) before[i] -= t->qguide[i] < 0 ? rest->adjoint.a[i] : 0.0;
   for (i = 0; i < t->nrow; ++i) y[i] += f * rest->adjoint.lambda[i];
 }
 
-static void keep_guided(const maggi_topo *t, const double *from, double *to)
+/* of coordinates that are not guided: to `bar` */
+static void take(const maggi_topo *t, double *rows, double *bar)
 {
   int i;
 
-  for (i = 0; i < t->nq; ++i) to[i] = t->qguide[i] < 0 ? 0.0 : from[i];
+  for (i = 0; i < t->nq; ++i) {
+    if (t->qguide[i] >= 0) continue;
+    bar[i] += rows[i];
+    rows[i] = 0.0;
+  }
 }
 
 /* adjoints of velocities and accelerations of the trapezoidal rule in `v` and `a`, of positions
@@ -49,7 +57,7 @@ static void go_before_projections(maggi_penalty_derivative *x, maggi_reversal *r
   const maggi_companion *s = &x->D->adjoint;
   double f = 0.25 * h * h * x->s->options.penalty;
   size_t bytes = (size_t)t->nq * sizeof(double);
-  int i;
+  int i, pass;
 
   if (t->nrow == 0) {
     memcpy(v, lane->v, bytes);
@@ -59,15 +67,19 @@ static void go_before_projections(maggi_penalty_derivative *x, maggi_reversal *r
   maggi_reversal_choose(r, lane, x->s->d->zero, x->s->d->zero);
   maggi_rest_choose(x->D, &x->velocity);
   maggi_rest_choose(x->D, &x->acceleration);
-  keep_guided(t, lane->a, s->a);
-  go_before(x, &x->acceleration, -f, lane->a, a, s->gama);
-  maggi_adjoint_gamma(x->D);
-  for (i = 0; i < t->nq; ++i) lane->v[i] += s->v[i];
-  keep_guided(t, lane->v, s->v);
-  go_before(x, &x->velocity, f, lane->v, v, s->rate);
-  maggi_adjoint_rates_of(x->D);
-  for (i = 0; i < t->nq; ++i) s->v[i] = t->qguide[i] < 0 ? 0.0 : s->v[i];
-  for (i = 0; i < t->nq; ++i) s->a[i] = t->qguide[i] < 0 ? 0.0 : s->a[i];
+  for (pass = 0; pass < PASSES; ++pass) {
+    go_before(x, &x->acceleration, -f, lane->a, a, s->gama);
+    maggi_adjoint_gamma(x->D);
+    take(t, x->acceleration.adjoint.a, lane->a); /* what the solution leaves */
+    take(t, s->a, lane->a);
+  }
+  take(t, s->v, lane->v);
+  for (pass = 0; pass < PASSES; ++pass) {
+    go_before(x, &x->velocity, f, lane->v, v, s->rate);
+    maggi_adjoint_rates_of(x->D);
+    take(t, x->velocity.adjoint.a, lane->v);
+    take(t, s->v, lane->v);
+  }
   maggi_adjoint_positions(x->D);
   for (i = 0; i < t->nq; ++i) lane->q[i] += s->q[i];
 }
@@ -78,20 +90,27 @@ static void go_before_equation(maggi_penalty_derivative *x, maggi_reversal *r, m
 {
   const maggi_topo *t = &x->s->d->t;
   const maggi_companion *s = &x->D->adjoint;
-  int i;
+  int i, pass;
 
   for (i = 0; i < t->nq; ++i) lane->q[i] += 2.0 / h * v[i] + 4.0 / (h * h) * a[i];
-  maggi_reversal_choose(r, lane, x->s->d->zero, x->s->d->zero);
-  solve_transposed(x, x->exact, 0.25 * h * h, lane->q, s->w);
-  maggi_adjoint_balance(x->D, x->s->options.penalty);
+  for (pass = 0; pass < PASSES; ++pass) {
+    maggi_reversal_choose(r, lane, x->s->d->zero, x->s->d->zero);
+    solve_transposed(x, x->exact, 0.25 * h * h, lane->q, s->w);
+    maggi_adjoint_balance(x->D, x->s->options.penalty);
+    for (i = 0; i < t->nq; ++i) {
+      v[i] += s->v[i];
+      a[i] += s->a[i];
+      lane->q[i] += 2.0 / h * s->v[i] + 4.0 / (h * h) * s->a[i];
+    }
+    maggi_adjoint_positions(x->D);
+    for (i = 0; i < t->nq; ++i) lane->q[i] += s->q[i];
+  }
   for (i = 0; i < t->nq; ++i) {
-    v[i] = t->qguide[i] < 0 ? v[i] + s->v[i] : 0.0;
-    a[i] = t->qguide[i] < 0 ? a[i] + s->a[i] : 0.0;
+    if (t->qguide[i] >= 0) v[i] = a[i] = 0.0;
     lane->q[i] = -2.0 / h * v[i] - 4.0 / (h * h) * a[i];
     lane->v[i] = -v[i] - 4.0 / h * a[i];
     lane->a[i] = -a[i];
   }
-  maggi_adjoint_positions(x->D);
 }
 
 maggi_status maggi_penalty_adjoint_step(maggi_penalty_derivative *x, maggi_reversal *r, double h,

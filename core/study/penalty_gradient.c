@@ -14,6 +14,10 @@ typedef struct work {
   maggi_penalty_derivative *implicit;
   double *state; /* (samples x 3 x nq) q, v, a */
   double *p;     /* gradient by parameters */
+  int nchoice;   /* choices of independent coordinates */
+  long *from;    /* (nchoice) first sample that has it */
+  char *choice;  /* (nchoice) maggi_saved_plan */
+  long plans;    /* d->plans at the last of them */
 } work;
 
 static int seeds_of(maggi_seeds *seeds, int lane, long k, const int **signal, const double **weight)
@@ -40,6 +44,48 @@ static void keep(work *w, long k)
   memcpy(x + 2 * nq, d->a, nq * sizeof(double));
 }
 
+static maggi_saved_plan choice_at(const work *w, int i)
+{
+  const maggi_topo *t = &w->s->d->t;
+  maggi_saved_plan plan;
+
+  maggi_saved_plan_place(&plan, t, w->choice + (size_t)i * maggi_saved_plan_size(t));
+  return plan;
+}
+
+/* the choice at sample k, if it is another one than before */
+static maggi_status keep_choice(work *w, long k)
+{
+  maggi_data *d = w->s->d;
+  size_t n = (size_t)w->nchoice + 1;
+  maggi_saved_plan plan;
+  void *memory;
+
+  if (k > 0 && w->plans == d->plans) return MAGGI_OK;
+  memory = realloc(w->from, n * sizeof *w->from);
+  if (!memory) return MAGGI_E_MEMORY;
+  w->from = memory;
+  memory = realloc(w->choice, n * maggi_saved_plan_size(&d->t));
+  if (!memory) return MAGGI_E_MEMORY;
+  w->choice = memory;
+  plan = choice_at(w, w->nchoice);
+  maggi_plan_save(d, &plan);
+  w->from[w->nchoice++] = k;
+  w->plans = d->plans;
+  return MAGGI_OK;
+}
+
+/* back to the choice at sample k */
+static maggi_status load_choice(work *w, long k)
+{
+  maggi_saved_plan plan;
+
+  if (w->from[w->nchoice - 1] <= k) return MAGGI_OK;
+  while (w->from[w->nchoice - 1] > k) --w->nchoice;
+  plan = choice_at(w, w->nchoice - 1);
+  return maggi_plan_load(w->s->d, &plan);
+}
+
 static void load(const double *x, int nq, double *q, double *v, double *a)
 {
   memcpy(q, x, (size_t)nq * sizeof(double));
@@ -61,7 +107,9 @@ static maggi_status simulate(work *w)
     if (status != MAGGI_OK) return status;
     maggi_study_push(s, k);
     keep(w, k);
-    status = maggi_study_progress(s, 0.3 * (double)k / (double)s->grid.steps);
+    status = keep_choice(w, k);
+    if (status == MAGGI_OK)
+      status = maggi_study_progress(s, 0.3 * (double)k / (double)s->grid.steps);
   }
   if (status == MAGGI_OK) status = maggi_study_end(s);
   return status == MAGGI_OK ? maggi_study_differentiable(s) : status;
@@ -75,8 +123,10 @@ static maggi_status go_back(work *w, long k)
   maggi_penalty *penalty = s->penalty;
   maggi_data *d = s->d;
   double time = maggi_grid_time(&s->grid, k);
-  maggi_status status = maggi_reversal_sample(w->reversal, state_at(w, k), time, k, node);
+  maggi_status status = load_choice(w, k);
 
+  if (status == MAGGI_OK)
+    status = maggi_reversal_sample(w->reversal, state_at(w, k), time, k, node);
   if (status != MAGGI_OK) return status;
   load(state_at(w, k - 1), d->t.nq, penalty->q0, penalty->v0, penalty->a0);
   load(state_at(w, k), d->t.nq, d->q, d->v, d->a);
@@ -97,6 +147,7 @@ static maggi_status run(work *w)
     if (status == MAGGI_OK)
       status = maggi_study_progress(s, 1.0 - 0.7 * (double)(k - 1) / (double)s->grid.steps);
   }
+  if (status == MAGGI_OK) status = load_choice(w, 0);
   return status == MAGGI_OK ? maggi_reversal_finish(w->reversal, w->start) : status;
 }
 
@@ -126,5 +177,7 @@ maggi_status maggi_gradient_penalty_adjoint(maggi_study *s)
   maggi_tape_free(w.start);
   free(w.state);
   free(w.p);
+  free(w.from);
+  free(w.choice);
   return status;
 }

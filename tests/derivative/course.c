@@ -62,7 +62,7 @@ maggi_design *course_design(const course *c, int n, double *const *x)
   const maggi_data *d = c->data;
   const char **path = room(d->t.np, sizeof *path);
   double *factor = room(d->t.np, sizeof *factor);
-  char name[20], message[300];
+  char name[32], message[300];
   maggi_design *design;
   maggi_design_def def;
   int k, i;

@@ -1,6 +1,6 @@
-/* The ways to the Jacobian of the generalised forces of the open chain (core/implicit/jacobian.c) on random
- * mechanisms: tangents column by column, tangents by colours and adjoints agree to round-off, differences as
- * far as they can.
+/* The ways to the Jacobian of the generalised forces of the open chain (core/implicit/jacobian.c)
+ * on random mechanisms: tangents column by column, tangents by colours and adjoints agree to
+ * round-off, differences as far as they can.
  *
  *   property_jacobian [--seed N] [--from N] [--count N] [--verbose]
  */

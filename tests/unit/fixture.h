@@ -31,6 +31,20 @@ static inline maggi_model *test_model(const char *format, ...)
   return m;
 }
 
+/* a model that ships, NAME.yaml; a missing one ends the program */
+static inline maggi_model *test_file(const char *file)
+{
+  char path[512], message[512] = "";
+  maggi_model *m;
+
+  snprintf(path, sizeof path, "%s/%s", MAGGI_MODELS_DIR, file);
+  if (!CHECK(maggi_model_load(path, &m, message, sizeof message) == MAGGI_OK)) {
+    fprintf(stderr, "%s\n", message);
+    exit(1);
+  }
+  return m;
+}
+
 static inline maggi_data *test_data(const maggi_model *m)
 {
   maggi_data *d;

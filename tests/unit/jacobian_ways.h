@@ -1,5 +1,5 @@
-/* The ways to the Jacobian of the forces of the open chain against each other, at random states of a
- * simulation after its reset. */
+/* The ways to the Jacobian of the forces of the open chain against each other, at random states of
+ * a simulation after its reset. */
 #ifndef MAGGI_TEST_JACOBIAN_WAYS_H
 #define MAGGI_TEST_JACOBIAN_WAYS_H
 

@@ -1,6 +1,5 @@
 /* A mechanism with one of each: loop, rod with mass, guided coordinate, open branch, springs, loads
- * of all types, functions of time, given initial position and velocity.  Models of models/ by
- * name. */
+ * of all types, functions of time, given initial position and velocity. */
 #ifndef MAGGI_TEST_MACHINE_H
 #define MAGGI_TEST_MACHINE_H
 
@@ -55,19 +54,6 @@ static inline maggi_model *machine_model(void)
       "sensors:\n"
       "- {name: tip, type: acceleration, body: bob, point: [0.3, 1.1, -0.5]}\n"
       "- {name: force, type: rod, element: rod}\n");
-}
-
-static inline maggi_model *machine_ship(const char *name)
-{
-  char path[512], message[512] = "";
-  maggi_model *m = NULL;
-
-  snprintf(path, sizeof path, "%s/%s.yaml", MAGGI_MODELS_DIR, name);
-  if (maggi_model_load(path, &m, message, sizeof message) != MAGGI_OK) {
-    fprintf(stderr, "%s\n", message);
-    exit(1);
-  }
-  return m;
 }
 
 #endif

@@ -1,6 +1,7 @@
 /* After maggi_data_reset nothing is allocated or freed any more, also when the independent
- * coordinates change; nor by derivatives after maggi_derivative_create.  The allocator of the C library is replaced by one that counts and passes on
- * (glibc). */
+ * coordinates change; nor by derivatives after maggi_derivative_create, nor by steps of the penalty
+ * formulation after the first.  The allocator of the C library is replaced by one that counts and
+ * passes on (glibc). */
 #include "fixture.h"
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || !defined(__GLIBC__)
@@ -117,17 +118,60 @@ static void check(const char *name, maggi_model *m, double h, int changes)
   test_free(d, m);
 }
 
-static maggi_model *file(const char *name)
+/* steps with sensitivities */
+static void check_direct(const char *name, maggi_model *m, double h)
 {
-  char path[512], message[512] = "";
-  maggi_model *m;
+  maggi_data *d = test_start(m);
+  maggi_design *g = NULL;
+  maggi_direct *direct = NULL;
+  int signal[] = {0, maggi_signal_find(m, "energy.total"), maggi_signal_number(m) - 1};
+  double *x;
+  char message[256];
+  long before;
+  int i, failed = 0;
 
-  snprintf(path, sizeof path, "%s/%s", MAGGI_MODELS_DIR, name);
-  if (!CHECK(maggi_model_load(path, &m, message, sizeof message) == MAGGI_OK)) {
-    fprintf(stderr, "%s\n", message);
-    exit(1);
+  CHECK(maggi_design_create(d, &g) == MAGGI_OK);
+  CHECK(maggi_design_select(g, "all", message, sizeof message) == MAGGI_OK);
+  CHECK(maggi_direct_create(d, g, &direct) == MAGGI_OK && maggi_direct_reset(direct) == MAGGI_OK);
+  x = calloc(3 * (size_t)maggi_design_number(g), sizeof *x);
+  before = calls;
+  for (i = 0; i < 100; ++i) {
+    failed += maggi_direct_step(direct, h) != MAGGI_OK;
+    maggi_direct_get_signals(direct, 3, signal, x);
   }
-  return m;
+  if (!CHECK(calls == before)) fprintf(stderr, "  %s: direct, %ld calls\n", name, calls - before);
+  maggi_direct_free(direct);
+
+  CHECK(failed == 0);
+  free(x);
+  maggi_design_free(g);
+  test_free(d, m);
+}
+
+/* steps of the penalty formulation after the first */
+static void check_penalty(const char *name, maggi_model *m, double h)
+{
+  maggi_data *d = test_data(m);
+  maggi_penalty_options options;
+  maggi_penalty *s;
+  long before;
+  int i, way, failed = 0;
+
+  maggi_penalty_options_init(&options);
+  for (way = 0; way < MAGGI_JACOBIAN_COUNT; ++way) {
+    options.jacobian = (maggi_jacobian)way;
+    if (!CHECK(maggi_penalty_create(d, &options, &s) == MAGGI_OK)) exit(1);
+    CHECK(maggi_penalty_reset(s) == MAGGI_OK);
+    CHECK(maggi_penalty_step(s, h) == MAGGI_OK);
+    before = calls;
+    for (i = 0; i < 200; ++i) failed += maggi_penalty_step(s, h) != MAGGI_OK;
+    if (!CHECK(calls == before))
+      fprintf(stderr, "  %s: %s, %ld calls\n", name, maggi_jacobian_name(options.jacobian),
+              calls - before);
+    maggi_penalty_free(s);
+  }
+  CHECK(failed == 0);
+  test_free(d, m);
 }
 
 int main(void)
@@ -138,11 +182,22 @@ int main(void)
   free(malloc(1000));
   CHECK(calls == before + 2); /* the count counts */
 
-  check("four-bar", file("four-bar.yaml"), 1e-3, 0);
-  check("bricard", file("bricard.yaml"), 1e-3, 0);
-  check("rssr", file("rssr.yaml"), 1e-3, 0);
-  check("n-four-bar-2", file("n-four-bar-2.yaml"), 5e-3, 0); /* singular positions */
-  check("andrews", file("andrews.yaml"), 2e-5, 0);
+  check("four-bar", test_file("four-bar.yaml"), 1e-3, 0);
+  check("bricard", test_file("bricard.yaml"), 1e-3, 0);
+  check("rssr", test_file("rssr.yaml"), 1e-3, 0);
+  check("n-four-bar-2", test_file("n-four-bar-2.yaml"), 5e-3, 0); /* singular positions */
+  check("andrews", test_file("andrews.yaml"), 2e-5, 0);
+
+  check_direct("four-bar", test_file("four-bar.yaml"), 1e-3);
+  check_direct("bricard", test_file("bricard.yaml"), 1e-3);
+  check_direct("chain-30", test_file("chain-30.yaml"), 1e-3);
+
+  /* implicit: dense and sparse factors, through the singular positions of the hanging array */
+  check_penalty("four-bar", test_file("four-bar.yaml"), 1e-2);
+  check_penalty("bricard", test_file("bricard.yaml"), 1e-3);
+  check_penalty("chain-30", test_file("chain-30.yaml"), 1e-3);
+  CHECK(maggi_model_multiple_four_bar(1, 15, &m) == MAGGI_OK);
+  check_penalty("multiple-four-bar:1x15", m, 2e-2);
 
   /* 5 s with the singular positions of the hanging array */
   CHECK(maggi_model_multiple_four_bar(2, 5, &m) == MAGGI_OK);

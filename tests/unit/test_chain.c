@@ -423,15 +423,19 @@ static void check_derivatives(const char *name, maggi_model *m)
 
 int main(void)
 {
-  static const char *const name[] = {
-      "double-pendulum",         "four-bar",    "rssr", "bricard", "triple-pendulum-closed",
-      "spatial-four-bar-spring", "n-four-bar-2"};
+  static const char *const name[] = {"double-pendulum.yaml",
+                                     "four-bar.yaml",
+                                     "rssr.yaml",
+                                     "bricard.yaml",
+                                     "triple-pendulum-closed.yaml",
+                                     "spatial-four-bar-spring.yaml",
+                                     "n-four-bar-2.yaml"};
   size_t i;
 
   for (i = 0; i < sizeof name / sizeof *name; ++i) {
-    check_balance(machine_ship(name[i]), 1e-3, 50);
-    check_parts(machine_ship(name[i]));
-    check_derivatives(name[i], machine_ship(name[i]));
+    check_balance(test_file(name[i]), 1e-3, 50);
+    check_parts(test_file(name[i]));
+    check_derivatives(name[i], test_file(name[i]));
   }
   check_balance(machine_model(), 1e-3, 50);
   check_parts(machine_model());

@@ -371,19 +371,6 @@ static void test_model_of(maggi_model *m, double h)
   test_free(d, m);
 }
 
-static maggi_model *load(const char *file)
-{
-  char path[1024], message[512];
-  maggi_model *m;
-
-  snprintf(path, sizeof path, "%s/%s", MAGGI_MODELS_DIR, file);
-  if (!CHECK(maggi_model_load(path, &m, message, sizeof message) == MAGGI_OK)) {
-    fprintf(stderr, "%s\n", message);
-    exit(1);
-  }
-  return m;
-}
-
 static void test_files(void)
 {
   maggi_model_info info;
@@ -397,7 +384,7 @@ static void test_files(void)
   while (CHECK(folder) && (entry = readdir(folder))) {
     length = strlen(entry->d_name);
     if (length < 5 || strcmp(entry->d_name + length - 5, ".yaml") != 0) continue;
-    m = load(entry->d_name);
+    m = test_file(entry->d_name);
     maggi_model_get_info(m, &info);
     failed = check_failed;
     test_model_of(m, info.simulation.step > 0.0 ? info.simulation.step : 1e-3);
@@ -644,7 +631,7 @@ static void test_life(void)
  * evaluation there. */
 static void test_singular(void)
 {
-  maggi_model *m = load("n-four-bar-2.yaml");
+  maggi_model *m = test_file("n-four-bar-2.yaml");
   maggi_data *d = test_start(m);
   unsigned long long seed = 9;
   point s;

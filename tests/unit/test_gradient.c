@@ -16,19 +16,6 @@ typedef struct study {
   double value[OBJECTIVES], gradient[OBJECTIVES * PARAMETERS_MAX];
 } study;
 
-static maggi_model *ship(const char *name)
-{
-  char path[512], message[512];
-  maggi_model *m = NULL;
-
-  snprintf(path, sizeof path, "%s/%s.yaml", MAGGI_MODELS_DIR, name);
-  if (maggi_model_load(path, &m, message, sizeof message) != MAGGI_OK) {
-    fprintf(stderr, "%s\n", message);
-    exit(1);
-  }
-  return m;
-}
-
 static study begin(maggi_model *m, const char *parameters, double time, double step)
 {
   static const char *const signal[] = {"rms(energy.kinetic)", "terminal(%s.q)", "maximum(%s.v)",
@@ -142,7 +129,7 @@ static void check_model(maggi_model *m, const char *parameters, double time, dou
 
 static void test_differences(void)
 {
-  study s = begin(ship("double-pendulum"), "bodies.bar1.*", 0.5, 0.01);
+  study s = begin(test_file("double-pendulum.yaml"), "bodies.bar1.*", 0.5, 0.01);
   double adjoint[OBJECTIVES * PARAMETERS_MAX], error[3];
   int i, method;
 
@@ -183,7 +170,7 @@ static int look(void *context, double part)
 
 static void test_progress(void)
 {
-  study s = begin(ship("four-bar"), "bodies.crank.mass", 0.2, 0.01);
+  study s = begin(test_file("four-bar.yaml"), "bodies.crank.mass", 0.2, 0.01);
   double last;
   int method;
 
@@ -202,7 +189,7 @@ static void test_progress(void)
 
 static void test_refusals(void)
 {
-  study s = begin(ship("four-bar"), "bodies.crank.mass", 0.2, 0.01);
+  study s = begin(test_file("four-bar.yaml"), "bodies.crank.mass", 0.2, 0.01);
   char message[256];
   int method;
 
@@ -234,11 +221,11 @@ int main(void)
 {
   maggi_model *m;
 
-  check_model(ship("pendulum"), "all", 0.4, 0.01, 1e-12);
-  check_model(ship("double-pendulum"), "all", 1.0, 0.01, 1e-12);
-  check_model(ship("four-bar"), "all", 1.005, 0.01, 1e-12);
-  check_model(ship("triple-pendulum-closed"), "all", 0.8, 0.004, 1e-12);
-  check_model(ship("rssr"), "all", 1.0, 0.004, 1e-12);
+  check_model(test_file("pendulum.yaml"), "all", 0.4, 0.01, 1e-12);
+  check_model(test_file("double-pendulum.yaml"), "all", 1.0, 0.01, 1e-12);
+  check_model(test_file("four-bar.yaml"), "all", 1.005, 0.01, 1e-12);
+  check_model(test_file("triple-pendulum-closed.yaml"), "all", 0.8, 0.004, 1e-12);
+  check_model(test_file("rssr.yaml"), "all", 1.0, 0.004, 1e-12);
   /* through positions in which a row lies flat: pivots of 1e-3, twice inverted, take digits */
   CHECK(maggi_model_multiple_four_bar(1, 15, &m) == MAGGI_OK);
   check_model(m, "bodies.v_1_*", 1.53, 0.003, 2e-8);

@@ -1,5 +1,6 @@
-/* core/implicit/jacobian.c: the five ways to J agree, on the models of models/, the array of the thesis and a
- * machine with everything; J against differences of forces that the test assembles itself; names. */
+/* core/implicit/jacobian.c: the five ways to J agree, on the models of models/, the array of the
+ * thesis and a machine with everything; J against differences of forces that the test assembles
+ * itself; names. */
 #include <dirent.h>
 
 #include "jacobian_ways.h"
@@ -23,17 +24,15 @@ static void test_models(void)
 {
   DIR *folder = opendir(MAGGI_MODELS_DIR);
   struct dirent *entry;
-  char name[256], *end;
+  const char *end;
   maggi_model *m;
   int n = 0;
 
   while (folder && (entry = readdir(folder))) {
-    snprintf(name, sizeof name, "%s", entry->d_name);
-    end = strrchr(name, '.');
+    end = strrchr(entry->d_name, '.');
     if (!end || strcmp(end, ".yaml") != 0) continue;
-    *end = '\0';
     ++n;
-    examine(name, machine_ship(name));
+    examine(entry->d_name, test_file(entry->d_name));
   }
   CHECK(n > 15);
   if (folder) closedir(folder);

@@ -24,26 +24,13 @@ static void check_numbers(const maggi_model *m, int n, int entries)
   maggi_pattern_free(p);
 }
 
-static maggi_model *load(const char *name)
-{
-  char path[512], message[512] = "";
-  maggi_model *m;
-
-  snprintf(path, sizeof path, "%s/%s", MAGGI_MODELS_DIR, name);
-  if (!CHECK(maggi_model_load(path, &m, message, sizeof message) == MAGGI_OK)) {
-    fprintf(stderr, "%s\n", message);
-    exit(1);
-  }
-  return m;
-}
-
 /* The last two are beyond the thesis.  Columns of verticals are chains, horizontals hang from all
  * of them but the last. */
 static void test_numbers(void)
 {
   static const int size[][3] = {
       {1, 15, 1410}, {4, 15, 4290}, {7, 15, 7170}, {20, 15, 0}, {60, 15, 0}};
-  maggi_model *m = load("spatial-four-bar.yaml");
+  maggi_model *m = test_file("spatial-four-bar.yaml");
   int i, ny, nz, entries;
 
   check_numbers(m, 4, 20);
@@ -190,7 +177,7 @@ static void test_models(void)
     end = strrchr(entry->d_name, '.');
     if (!end || strcmp(end, ".yaml") != 0) continue;
     ++n;
-    m = load(entry->d_name);
+    m = test_file(entry->d_name);
     d = test_start(m);
     f = open_chain_examine(d, 3, 7);
     if (!CHECK(f.wrong == 0 && f.outside <= 1e-11 && f.vanished == vanishing(entry->d_name)))

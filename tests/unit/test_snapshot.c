@@ -3,19 +3,6 @@
 #include "data.h"
 #include "fixture.h"
 
-static maggi_model *ship(const char *name)
-{
-  char path[512], message[512];
-  maggi_model *m = NULL;
-
-  snprintf(path, sizeof path, "%s/%s.yaml", MAGGI_MODELS_DIR, name);
-  if (maggi_model_load(path, &m, message, sizeof message) != MAGGI_OK) {
-    fprintf(stderr, "%s\n", message);
-    exit(1);
-  }
-  return m;
-}
-
 typedef struct trace {
   double *x; /* (steps x 3 coordinates) */
   long changes, between;
@@ -71,7 +58,7 @@ static trace check_model(maggi_model *m, double h, int before, int after)
 /* a reset forgets what a simulation has left */
 static void test_repeated_reset(void)
 {
-  maggi_model *m = ship("triple-pendulum-closed");
+  maggi_model *m = test_file("triple-pendulum-closed.yaml");
   maggi_data *d = test_start(m);
   trace t = {0};
 
@@ -90,10 +77,10 @@ int main(void)
   maggi_model *m;
   trace t;
 
-  check_model(ship("double-pendulum"), 0.01, 7, 20);
-  t = check_model(ship("rssr"), 0.002, 100, 400);
+  check_model(test_file("double-pendulum.yaml"), 0.01, 7, 20);
+  t = check_model(test_file("rssr.yaml"), 0.002, 100, 400);
   CHECK(t.changes > 0);
-  t = check_model(ship("triple-pendulum-closed"), 0.002, 3, 300);
+  t = check_model(test_file("triple-pendulum-closed.yaml"), 0.002, 3, 300);
   CHECK(t.changes > 0);
   /* rows that lie flat */
   CHECK(maggi_model_multiple_four_bar(1, 15, &m) == MAGGI_OK);

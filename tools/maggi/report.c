@@ -139,6 +139,11 @@ static void json_cost(json *j, const report *r)
   const maggi_gradient_options *o = &r->gradients->options;
 
   json_string(j, "method", maggi_method_name(o->method));
+  json_string(j, "formulation", o->penalty ? "penalty" : "maggi");
+  if (o->penalty) {
+    json_number(j, "penalty", o->penalty->penalty);
+    json_string(j, "jacobian", maggi_jacobian_name(o->penalty->jacobian));
+  }
   json_integer(j, "parameters", r->study->parameters.number);
   json_number(j, "time", r->study->grid.time);
   json_number(j, "step", r->study->grid.step);

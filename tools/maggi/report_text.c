@@ -124,11 +124,14 @@ static void print_cost(const report *r, FILE *out)
           r->study->parameters.number);
   if (is_difference(o->method)) fprintf(out, ", perturbation %.3g", o->perturbation);
   if (g->threads > 1) fprintf(out, ", %d threads", g->threads);
+  if (o->penalty)
+    fprintf(out, "\nformulation   penalty %.3g, Jacobians by %s", o->penalty->penalty,
+            maggi_jacobian_name(o->penalty->jacobian));
   fprintf(out, "\nsimulation    %.6g s in %ld steps of %.6g s\n", r->study->grid.time, o->steps,
           r->study->grid.step);
   fprintf(out, "computed in   %.3g s, %.3g times the %.3g s of a simulation\n", g->wall,
           g->wall / r->simulation_wall, r->simulation_wall);
-  if (o->kept > 0)
+  if (o->kept > 0 && !o->penalty)
     fprintf(out, "snapshots     %ld kept, %ld steps computed again\n", o->kept, o->recomputed);
 }
 

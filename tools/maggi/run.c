@@ -41,7 +41,7 @@ static maggi_status advance(run *r, long n)
   for (k = 0; k < n && !interrupt_seen(); ++k) {
     if (k > 0) watch_loops(r);
     next = maggi_grid_time(&r->grid, r->done + 1);
-    status = maggi_step(r->data, next - t);
+    status = formulation_step(r->data, r->penalty, next - t);
     if (status != MAGGI_OK) break;
     t = next;
     ++r->done;

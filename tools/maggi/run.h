@@ -4,11 +4,14 @@
 
 #include <maggi/maggi.h>
 
+#include "formulation.h"
 #include "rows.h"
 
 typedef struct run {
   /* asked for */
   maggi_data *data;
+  maggi_penalty *penalty; /* NULL: Maggi's formulation                                   */
+  const formulation *formulation;
   rows *rows;      /* rows->table.file NULL: no rows                                     */
   maggi_grid grid; /* points of time                                                     */
   long every;      /* steps from row to row                                              */
@@ -18,7 +21,7 @@ typedef struct run {
   /* found */
   long done; /* steps                                                                     */
   int interrupted;
-  double wall;             /* of maggi_step alone [s]                                     */
+  double wall;             /* of the steps alone [s]                                      */
   maggi_energy energy;     /* at the end [J]                                              */
   double energy_start;     /* kinetic + potential - work at t = 0 [J]                     */
   double energy_change;    /* largest distance from it [J]                                */

@@ -38,7 +38,10 @@ enum {
   STATES,
   EVERY,
   CSV,
-  ALL_ROWS
+  ALL_ROWS,
+  FORMULATION,
+  PENALTY,
+  JACOBIAN
 };
 
 static const option_def sensitivity_options[] = {
@@ -52,6 +55,9 @@ static const option_def sensitivity_options[] = {
     [EVERY] = {"--every", OPTION_VALUE, "a number of steps"},
     [CSV] = {"--csv", OPTION_VALUE, "a file name"},
     [ALL_ROWS] = {"--all-rows", OPTION_FLAG, NULL},
+    [FORMULATION] = {"--formulation", OPTION_VALUE, "maggi or penalty"},
+    [PENALTY] = {"--penalty", OPTION_VALUE, "a stiffness"},
+    [JACOBIAN] = {"--jacobian", OPTION_VALUE, "a way to the Jacobian, as adjoint"},
     {NULL, OPTION_FLAG, NULL}};
 
 #define THREADS_MAX 1024
@@ -109,6 +115,12 @@ static int take(request *r, options *o, int id)
   case ALL_ROWS:
     r->all_rows = 1;
     return 0;
+  case FORMULATION:
+    return formulation_name(&r->study.formulation, o->value);
+  case PENALTY:
+    return formulation_penalty(&r->study.formulation, o->value);
+  case JACOBIAN:
+    return formulation_jacobian(&r->study.formulation, o->value);
   default:
     return study_take(&r->study, o, id);
   }
@@ -123,7 +135,13 @@ static int is_standard_output(const char *name)
 static int check(const request *r)
 {
   maggi_method method = r->options.method;
+  int is_penalty = r->study.formulation.is_penalty;
 
+  if (r->states && is_penalty)
+    return message_fail(STATUS_USAGE, "--states: not with --formulation penalty");
+  if (method == MAGGI_METHOD_CONTINUOUS_ADJOINT && is_penalty)
+    return message_fail(STATUS_USAGE,
+                        "--method: continuous-adjoint not with --formulation penalty");
   if (r->states && method != MAGGI_METHOD_DIRECT)
     return message_fail(STATUS_USAGE, "--states: only with --method direct");
   if (is_standard_output(r->study.plot))
@@ -144,7 +162,9 @@ static void note_surprises(const request *r, const study *s)
   plan_note(&s->grid);
   if (r->given[PERTURBATION] && !is_difference)
     message_note("--perturbation has no effect with the method %s", name);
-  if (r->given[SNAPSHOTS] && method != MAGGI_METHOD_ADJOINT)
+  if (r->given[SNAPSHOTS] && r->study.formulation.is_penalty)
+    message_note("--snapshots has no effect with the penalty formulation");
+  else if (r->given[SNAPSHOTS] && method != MAGGI_METHOD_ADJOINT)
     message_note("--snapshots has no effect with the method %s", name);
   if (r->given[MEMORY] && !is_adjoint)
     message_note("--memory has no effect with the method %s", name);
@@ -242,6 +262,7 @@ static int analyse(const study *s, const request *want)
   g.options = want->options;
   g.options.time = s->grid.time;
   g.options.step = s->grid.step;
+  if (want->study.formulation.is_penalty) g.options.penalty = &want->study.formulation.options;
   g.threads = is_adjoint ? 1 : (int)want->threads;
   r.study = s;
   r.gradients = &g;
@@ -283,6 +304,7 @@ int command_sensitivity(int argc, char **argv)
   maggi_gradient_options_init(&want.options);
   want.options.method = MAGGI_METHOD_ADJOINT;
   want.threads = 1;
+  formulation_init(&want.study.formulation);
   if (settings_init(&want.study.set, argc)) return STATUS_FAILED;
   options_init(&o, sensitivity_options, argc, argv);
   while ((id = options_next(&o)) != OPTIONS_END) {
@@ -296,9 +318,12 @@ int command_sensitivity(int argc, char **argv)
     }
   }
   memcpy(want.given, o.given, sizeof want.given);
-  if (id == OPTIONS_END)
-    status = want.study.model ? analyse_model(&want)
-                              : message_fail(STATUS_USAGE, "sensitivity: no MODEL given");
+  if (id == OPTIONS_END && !want.study.model)
+    status = message_fail(STATUS_USAGE, "sensitivity: no MODEL given");
+  if (id == OPTIONS_END && want.study.model) {
+    status = formulation_check(&want.study.formulation, want.study.tolerance);
+    if (status == STATUS_DONE) status = analyse_model(&want);
+  }
   settings_free(&want.study.set);
   return status;
 }

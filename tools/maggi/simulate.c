@@ -7,6 +7,7 @@
 #include <maggi/maggi.h>
 
 #include "commands.h"
+#include "formulation.h"
 #include "interrupt.h"
 #include "message.h"
 #include "models.h"
@@ -29,9 +30,23 @@ typedef struct request {
   int energy;
   int json;
   settings set;
+  formulation formulation;
 } request;
 
-enum { TIME, STEP, OUT, EVERY, ENERGY, REACTIONS, SET, TOLERANCE, JSON };
+enum {
+  TIME,
+  STEP,
+  OUT,
+  EVERY,
+  ENERGY,
+  REACTIONS,
+  SET,
+  FORMULATION,
+  PENALTY,
+  JACOBIAN,
+  TOLERANCE,
+  JSON
+};
 
 static const option_def simulate_options[] = {
     [TIME] = {"--time", OPTION_VALUE, "a time in seconds"},
@@ -41,6 +56,9 @@ static const option_def simulate_options[] = {
     [ENERGY] = {"--energy", OPTION_FLAG, NULL},
     [REACTIONS] = {"--reactions", OPTION_VALUE, "names of bodies, or all"},
     [SET] = {"--set", OPTION_LIST, "PATH=VALUE"},
+    [FORMULATION] = {"--formulation", OPTION_VALUE, "maggi or penalty"},
+    [PENALTY] = {"--penalty", OPTION_VALUE, "a stiffness"},
+    [JACOBIAN] = {"--jacobian", OPTION_VALUE, "a way to the Jacobian, as adjoint"},
     [TOLERANCE] = {"--tolerance", OPTION_VALUE, "a length in meters"},
     [JSON] = {"--json", OPTION_FLAG, NULL},
     {NULL, OPTION_FLAG, NULL}};
@@ -57,6 +75,12 @@ static int take(request *r, options *o, int id)
     return options_positive("--step", o->value, &r->step);
   case TOLERANCE:
     return options_positive("--tolerance", o->value, &r->tolerance);
+  case FORMULATION:
+    return formulation_name(&r->formulation, o->value);
+  case PENALTY:
+    return formulation_penalty(&r->formulation, o->value);
+  case JACOBIAN:
+    return formulation_jacobian(&r->formulation, o->value);
   case EVERY:
     return options_count("--every", o->value, 1, &r->every);
   case OUT:
@@ -101,7 +125,9 @@ static int simulate_rows(run *r, const request *want)
   maggi_status status;
   int written;
 
-  status = maggi_data_reset(r->data);
+  r->formulation = &want->formulation;
+  status = formulation_create(r->formulation, r->data, &r->penalty);
+  if (status == MAGGI_OK) status = formulation_reset(r->data, r->penalty);
   if (status == MAGGI_OK) status = run_simulate(r);
   if (status != MAGGI_OK) {
     table_discard(&r->rows->table);
@@ -122,9 +148,8 @@ static int simulate_data(run *r, const request *want, const char *model_path)
   FILE *summary = to_stdout ? stderr : stdout;
   int status;
 
-  if (want->tolerance > 0.0 && maggi_data_set_tolerance(r->data, want->tolerance) != MAGGI_OK)
-    return message_fail(STATUS_USAGE, "--tolerance: %.6g is refused", want->tolerance);
-  status = settings_apply(&want->set, r->rows->model, r->data);
+  status = formulation_tolerance(&want->formulation, r->data, want->tolerance);
+  if (status == STATUS_DONE) status = settings_apply(&want->set, r->rows->model, r->data);
   if (status != STATUS_DONE) return status;
   if (want->out && table_is_same_file(want->out, model_path))
     return message_fail(STATUS_FAILED, "%s: is the model file", want->out);
@@ -161,6 +186,7 @@ static int simulate_model(const request *want)
   if (status == STATUS_DONE && maggi_data_create(m, &r.data) != MAGGI_OK)
     status = message_fail(STATUS_FAILED, "%s: out of memory", want->model);
   if (status == STATUS_DONE) status = simulate_data(&r, want, path);
+  maggi_penalty_free(r.penalty);
   maggi_data_free(r.data);
   rows_free(&w);
   maggi_model_free(m);
@@ -174,6 +200,7 @@ int command_simulate(int argc, char **argv)
   int id, status = STATUS_DONE;
 
   memset(&want, 0, sizeof want);
+  formulation_init(&want.formulation);
   if (settings_init(&want.set, argc)) return STATUS_FAILED;
   options_init(&o, simulate_options, argc, argv);
   while ((id = options_next(&o)) != OPTIONS_END) {
@@ -188,7 +215,10 @@ int command_simulate(int argc, char **argv)
   }
   if (id == OPTIONS_END && !want.model)
     status = message_fail(STATUS_USAGE, "simulate: no MODEL given");
-  if (id == OPTIONS_END && want.model) status = simulate_model(&want);
+  if (id == OPTIONS_END && want.model) {
+    status = formulation_check(&want.formulation, want.tolerance);
+    if (status == STATUS_DONE) status = simulate_model(&want);
+  }
   settings_free(&want.set);
   return status;
 }

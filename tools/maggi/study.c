@@ -42,13 +42,12 @@ int study_take(study_request *r, options *o, int id)
 
 int study_data(const study *s, maggi_data **data)
 {
-  double tolerance = s->want->tolerance;
+  int status;
 
   if (maggi_data_create(s->model, data) != MAGGI_OK)
     return message_fail(STATUS_FAILED, "%s: out of memory", s->want->model);
-  if (tolerance > 0.0 && maggi_data_set_tolerance(*data, tolerance) != MAGGI_OK)
-    return message_fail(STATUS_USAGE, "--tolerance: %.6g is refused", tolerance);
-  return settings_apply(&s->want->set, s->model, *data);
+  status = formulation_tolerance(&s->want->formulation, *data, s->want->tolerance);
+  return status == STATUS_DONE ? settings_apply(&s->want->set, s->model, *data) : status;
 }
 
 /* All names that `name` gives for 0, 1, .. */
@@ -131,16 +130,16 @@ int study_output(const study *s, const char *name)
   return STATUS_DONE;
 }
 
-static maggi_status simulate_once(const study *s)
+static maggi_status simulate_once(const study *s, maggi_penalty *penalty)
 {
-  maggi_status status = maggi_data_reset(s->data);
+  maggi_status status = formulation_reset(s->data, penalty);
   double t = 0.0, next;
   long k;
 
   for (k = 0; k < s->grid.steps && status == MAGGI_OK; ++k) {
     if (interrupt_seen()) return MAGGI_E_STOPPED;
     next = maggi_grid_time(&s->grid, k + 1);
-    status = maggi_step(s->data, next - t);
+    status = formulation_step(s->data, penalty, next - t);
     t = next;
   }
   return status;
@@ -148,12 +147,14 @@ static maggi_status simulate_once(const study *s)
 
 maggi_status study_simulate(const study *s, double *seconds)
 {
-  maggi_status status = MAGGI_OK;
+  maggi_penalty *penalty;
+  maggi_status status = formulation_create(&s->want->formulation, s->data, &penalty);
   stopwatch w;
 
   for (stopwatch_start(&w); status == MAGGI_OK && stopwatch_again(&w); stopwatch_lap(&w))
-    status = simulate_once(s);
+    status = simulate_once(s, penalty);
   *seconds = w.best;
+  maggi_penalty_free(penalty);
   return status;
 }
 

@@ -4,6 +4,7 @@
 
 #include <maggi/maggi.h>
 
+#include "formulation.h"
 #include "models.h"
 #include "objectives.h"
 #include "options.h"
@@ -20,6 +21,7 @@ typedef struct study_request {
   const char *plot;       /* or NULL */
   int json;
   settings set;
+  formulation formulation;
 } study_request;
 
 /* Their options; those of a command itself follow from STUDY_OPTIONS on. */
@@ -69,13 +71,13 @@ typedef struct study {
 int study_open(study *s, const study_request *want, int (*propose)(study *s));
 void study_close(study *s);
 
-/* Another simulation with the same parameters and tolerance: exit status as above. */
+/* Another simulation with the same parameters and tolerance on loops: exit status as above. */
 int study_data(const study *s, maggi_data **data);
 
 /* Whether `name`, NULL for none, may be written: exit status, after a message if it is the model file. */
 int study_output(const study *s, const char *name);
 
-/* One simulation, nothing but its steps.  seconds: the best of a few when they are short.
+/* One simulation by the formulation asked for, nothing but its steps.  seconds: the best of a few when they are short.
  * MAGGI_E_STOPPED after a signal. */
 maggi_status study_simulate(const study *s, double *seconds);
 

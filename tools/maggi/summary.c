@@ -13,6 +13,11 @@ static double us_per_evaluation(const run *r)
   return r->evaluations > 0 ? 1e6 * r->wall / (double)r->evaluations : NAN;
 }
 
+static int is_coloured(maggi_jacobian way)
+{
+  return way == MAGGI_JACOBIAN_DIFFERENCE_COLOURED || way == MAGGI_JACOBIAN_TANGENT_COLOURED;
+}
+
 static void print_loops(const run *r, FILE *out)
 {
   const maggi_model_info *info = &r->rows->info;
@@ -24,6 +29,19 @@ static void print_loops(const run *r, FILE *out)
           r->pivot_ratio_time);
   fprintf(out, "corrections   %ld changes of coordinates, %ld projections\n", r->loops.changes,
           r->loops.projections);
+}
+
+static void print_formulation(const run *r, FILE *out)
+{
+  const maggi_penalty_options *o = &r->formulation->options;
+  maggi_penalty_state state;
+
+  if (!r->penalty) return;
+  maggi_penalty_get_state(r->penalty, &state);
+  fprintf(out, "formulation   penalty %.3g, %ld Newton iterations\n", o->penalty, state.iterations);
+  fprintf(out, "Jacobians     %ld, %s, %d nonzeros, %d %s\n", state.jacobians,
+          maggi_jacobian_name(o->jacobian), state.nonzeros, state.colours,
+          is_coloured(o->jacobian) ? "colours" : "columns");
 }
 
 static void print_state(const run *r, FILE *out)
@@ -59,6 +77,7 @@ void summary_text(const run *r, const char *out_name, FILE *out)
   if (r->evaluations > 0)
     fprintf(out, ", %.3g us for each of %ld evaluations", us_per_evaluation(r), r->evaluations);
   putc('\n', out);
+  print_formulation(r, out);
   print_loops(r, out);
   fprintf(out, "energy drift  %.2g (kinetic %.6g J, potential %.6g J, work %.6g J at the end)\n",
           run_energy_drift(r), r->energy.kinetic, r->energy.potential, r->energy.work);
@@ -75,6 +94,23 @@ static void json_state(json *j, const char *key, const rows *w, const double *va
   for (i = 0; i < w->info.coordinates; ++i)
     json_number(j, maggi_coordinate_name(w->model, i), value[i]);
   json_close_object(j);
+}
+
+static void json_formulation(json *j, const run *r)
+{
+  const maggi_penalty_options *o = &r->formulation->options;
+  maggi_penalty_state state;
+
+  json_string(j, "formulation", r->penalty ? "penalty" : "maggi");
+  if (!r->penalty) return;
+  maggi_penalty_get_state(r->penalty, &state);
+  json_number(j, "penalty", o->penalty);
+  json_number(j, "newton_tolerance", o->tolerance);
+  json_integer(j, "newton_iterations", state.iterations);
+  json_string(j, "jacobian", maggi_jacobian_name(o->jacobian));
+  json_integer(j, "jacobians", state.jacobians);
+  json_integer(j, "nonzeros", state.nonzeros);
+  json_integer(j, "colours", state.colours);
 }
 
 void summary_json(const run *r, const char *out_name, FILE *out)
@@ -95,6 +131,7 @@ void summary_json(const run *r, const char *out_name, FILE *out)
   json_number(&j, "step", r->grid.step);
   json_number(&j, "last_step", plan_last_step(&r->grid));
   json_integer(&j, "steps", r->done);
+  json_formulation(&j, r);
   json_integer(&j, "evaluations", r->evaluations);
   json_number(&j, "wall_s", r->wall);
   json_number(&j, "us_per_evaluation", us_per_evaluation(r));

@@ -25,7 +25,7 @@
 extern "C" {
 #endif
 
-#define MAGGI_VERSION "0.1.0"
+#define MAGGI_VERSION "0.4.0"
 
 /* ---------------------------------------------------------------------------------- status */
 
@@ -895,10 +895,11 @@ double maggi_design_value(const maggi_design *design, int index); /* nominal */
 double maggi_design_lower(const maggi_design *design, int index);
 double maggi_design_upper(const maggi_design *design, int index);
 
-/* ------------------------------------------------------------------ penalty formulation, implicit */
+/* ---------------------------------------------------------------- penalty formulation, implicit */
 
-/* Ways to the Jacobian J = [dQ/dz dQ/dz'] of the forces, [1] chapter 4: centred differences or tangents, column by
- * column or by colours (columns without a common row together), or row by row by adjoints. */
+/* Ways to the Jacobian J = [dQ/dz dQ/dz'] of the forces, [1] chapter 4: centred differences or
+ * tangents, column by column or by colours (columns without a common row together), or row by row by
+ * adjoints. */
 typedef enum maggi_jacobian {
   MAGGI_JACOBIAN_DIFFERENCE,
   MAGGI_JACOBIAN_DIFFERENCE_COLOURED,
@@ -907,8 +908,8 @@ typedef enum maggi_jacobian {
   MAGGI_JACOBIAN_ADJOINT,
   MAGGI_JACOBIAN_COUNT
 } maggi_jacobian;
-const char *maggi_jacobian_name(maggi_jacobian way);
-int maggi_jacobian_find(const char *name);
+const char *maggi_jacobian_name(maggi_jacobian way); /* "tangent-coloured", ..; NULL: none */
+int maggi_jacobian_find(const char *name);           /* -1: none */
 
 /*   penalty     alpha: force on a loop that is open by 1 [N/m, N m]; default 1e9
  *   tolerance   Newton's method ends when no coordinate moves by more [rad, m]; default 1e-8
@@ -922,22 +923,23 @@ typedef struct maggi_penalty_options {
 } maggi_penalty_options;
 void maggi_penalty_options_init(maggi_penalty_options *options);
 
-/* steps, Newton iterations and Jacobians since the reset; nonzeros of J and colours of its columns (columns, where
- * the way does not use colours) */
+/* steps, Newton iterations and Jacobians since the reset; nonzeros of J and colours of its columns
+ * (columns, where the way does not use colours) */
 typedef struct maggi_penalty_state {
   long steps, iterations, jacobians;
   int nonzeros, colours;
 } maggi_penalty_state;
 
-/* The simulation d by the semi-recursive penalty formulation and the trapezoidal rule, of order 2 and implicit, [1]
- * 4.2: all coordinates are integrated, springs of stiffness `penalty` hold the loops together, velocities and
- * accelerations are projected onto what the loops allow.  reset and step stand in for maggi_data_reset and maggi_step;
- * all that one can ask of d is that of the present state.
+/* The simulation d by the semi-recursive penalty formulation and the trapezoidal rule, of order 2 and
+ * implicit, [1] 4.2: all coordinates are integrated, springs of stiffness `penalty` hold the loops
+ * together, velocities and accelerations are projected onto what the loops allow.  reset and step
+ * stand in for maggi_data_reset and maggi_step; all that one can ask of d is that of the present state.
  *
- * status     of create MAGGI_OK, MAGGI_E_MEMORY, MAGGI_E_VALUE; of reset as maggi_data_reset; of step MAGGI_OK,
- *            MAGGI_E_NOT_FINITE when Newton's method does not converge, MAGGI_E_MASS, MAGGI_E_VALUE, MAGGI_E_MODEL;
- *            text in maggi_data_message
- * memory     all of it in create and reset; free(NULL) does nothing
+ * status     of create MAGGI_OK, MAGGI_E_MEMORY, MAGGI_E_VALUE; of reset as maggi_data_reset; of step
+ *            MAGGI_OK, MAGGI_E_NOT_FINITE when Newton's method does not converge, MAGGI_E_MASS,
+ *            MAGGI_E_VALUE, MAGGI_E_MODEL; text in maggi_data_message
+ * memory     all of it in create, reset and the first step; more only where factors of large matrices
+ *            need other pivots.  free(NULL) does nothing
  * threads    one thread for d and what hangs on it
  * since      0.4
  */

@@ -9,13 +9,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cases.h"
-#include "simulation.h"
-#include "suites.h"
-#include "table.h"
+#include "model.h"
 #include "timing.h"
 
-enum { WAYS_MOST = 8, STATES = 8, STEPS_LEAST = 2 };
+enum { STATES = 8, STEPS_LEAST = 2 };
 static const double state_step = 1e-2; /* of the simulation whose states these are */
 static const double steps_of[] = {1e-3, 1e-2, 2e-2};
 enum { NSTEP = sizeof steps_of / sizeof steps_of[0] };
@@ -24,33 +21,7 @@ static const double sample_seconds = 1e-3; /* at least */
 static const double run_seconds = 4.0;     /* a shortened simulation */
 static const double row_seconds = 12.0;    /* all rounds of a row, if they leave enough of them */
 
-typedef struct cell {
-  simulation x;
-  int batch, states; /* Jacobians a sample, states that were compared */
-  double differs;
-  series jacobian; /* seconds */
-  course course;
-  double apart; /* from tangents by colours at the end */
-  series run;   /* seconds */
-} cell;
-
-typedef struct bench {
-  bench_case c;
-  const thesis_case *thesis;
-  int n, bodies; /* ways that can be had */
-  tape *recorded;
-  double *states, *value;
-  cell cell[WAYS_MOST];
-} bench;
-
 static bench b;
-
-static size_t entries(void)
-{
-  const maggi_pattern *pattern = b.cell[reference].x.s->jacobian->pattern;
-
-  return (size_t)pattern->J.coladr[pattern->J.ncol];
-}
 
 /* -------------------------------------------------------------------------------- Jacobians */
 
@@ -63,7 +34,7 @@ static const double *state(int k)
 static double difference(const double *value)
 {
   double largest, most, worst = 0.0;
-  size_t half = entries() / 2, i, k;
+  size_t half = model_entries(&b) / 2, i, k;
 
   for (k = 0; k < 2; ++k) {
     largest = most = 0.0;
@@ -89,7 +60,7 @@ static int check(void)
     begin = cpu_seconds();
     for (k = 0; k < STATES && (k == 0 || cpu_seconds() - begin < check_seconds); ++k) {
       memcpy(b.value, simulation_jacobian(&b.cell[reference].x, state(k)),
-             entries() * sizeof(double));
+             model_entries(&b) * sizeof(double));
       c->differs = fmax(c->differs, difference(simulation_jacobian(&c->x, state(k))));
     }
     c->states = k;
@@ -198,154 +169,6 @@ static int simulate(double h, const options *o)
   return time_simulations(h, o->rounds);
 }
 
-/* of the whole simulation over that of the steps that were taken */
-static double scale(const cell *c)
-{
-  return (double)b.cell[reference].course.jacobians / (double)c->course.jacobians;
-}
-
-/* ----------------------------------------------------------------------------------- output */
-
-static void print_jacobians(const options *o)
-{
-  static table t;
-  const cell *c;
-  int i;
-
-  table_begin(&t, "Jacobian by|directions|us|ratio|+- %|samples|states|differs|at most");
-  for (i = 0; i < b.n; ++i) {
-    c = &b.cell[i];
-    table_row(&t);
-    table_cell(&t, "%s", c->x.of->name);
-    table_cell(&t, "%d", simulation_directions(&c->x));
-    table_cell(&t, "%.4g", 1e6 * series_value(&c->jacobian, 0.5));
-    table_cell(&t, "%.2f", series_ratio(&c->jacobian, 0.5));
-    table_cell(&t, "%.0f", series_spread(&c->jacobian));
-    table_cell(&t, "%d", c->jacobian.n);
-    table_cell(&t, "%d", c->states);
-    table_cell(&t, "%.0e", c->differs);
-    table_cell(&t, "%.0e", c->x.of->tolerance);
-  }
-  table_print(&t, o->markdown);
-}
-
-static void cell_or_dash(table *t, int is_there, const char *format, double x)
-{
-  if (is_there && !isnan(x))
-    table_cell(t, format, x);
-  else
-    table_cell(t, "-");
-}
-
-static void print_simulations(table *t, double h)
-{
-  const thesis_run *thesis = thesis_find_run(b.thesis, h);
-  const course *whole = &b.cell[reference].course;
-  const cell *c;
-  int i, column;
-
-  for (i = 0; i < b.n; ++i) {
-    c = &b.cell[i];
-    column = c->x.of->column;
-    table_row(t);
-    table_cell(t, "%s", c->x.of->name);
-    table_cell(t, "%g", 1e3 * h);
-    table_cell(t, "%.4g", scale(c) * series_value(&c->run, 0.5));
-    cell_or_dash(t, thesis && column >= 0, "%.2f",
-                 thesis && column >= 0 ? thesis->seconds[THESIS_GCC_2][column] : 0.0);
-    table_cell(t, "%.2f", series_ratio(&c->run, 0.5));
-    table_cell(t, "%.0f", series_spread(&c->run));
-    table_cell(t, "%.4g", 1e6 * series_value(&c->jacobian, 0.5));
-    table_cell(t, "%ld", c->course.jacobians);
-    cell_or_dash(t, thesis != NULL, "%.0f", thesis ? thesis->jacobians : 0.0);
-    table_cell(t, "%ld", c->course.iterations);
-    cell_or_dash(t, c->course.steps == whole->steps, "%+.4f", 100.0 * c->course.drift);
-    cell_or_dash(t, thesis != NULL, "%+.3f", thesis ? thesis->drift : 0.0);
-    table_cell(t, "%.0e", c->apart);
-    table_cell(t, "%d of %d", c->course.steps, whole->steps);
-    table_cell(t, "%d", c->run.n);
-  }
-}
-
-static void write_simulations(FILE *csv, double h)
-{
-  const thesis_run *thesis = thesis_find_run(b.thesis, h);
-  const cell *c;
-  int i, k;
-
-  for (i = 0; i < b.n; ++i) {
-    c = &b.cell[i];
-    fprintf(csv, "derivatives,%s,%d,%d,%d,%g,%s,%d", b.c.name, b.bodies,
-            simulation_coordinates(&c->x), (int)entries(), h, c->x.of->name,
-            simulation_directions(&c->x));
-    for (k = 2; k <= 4; ++k)
-      fprintf(csv, ",%.9g", scale(c) * series_value(&c->run, k == 2 ? 0.5 : k == 3 ? 0.25 : 0.75));
-    fprintf(csv, ",%.9g,%d,%ld,%ld,%.9g,%.2g", series_ratio(&c->run, 0.5), c->course.steps,
-            c->course.jacobians, c->course.iterations, 100.0 * c->course.drift, c->apart);
-    for (k = 2; k <= 4; ++k)
-      fprintf(csv, ",%.9g", 1e6 * series_value(&c->jacobian, k == 2 ? 0.5 : k == 3 ? 0.25 : 0.75));
-    fprintf(csv, ",%.9g,%.2g", series_ratio(&c->jacobian, 0.5), c->differs);
-    for (k = 0; k < THESIS_PLATFORMS; ++k)
-      if (thesis && c->x.of->column >= 0)
-        fprintf(csv, ",%g", thesis->seconds[k][c->x.of->column]);
-      else
-        fprintf(csv, ",");
-    if (thesis)
-      fprintf(csv, ",%d,%g", thesis->jacobians, thesis->drift);
-    else
-      fprintf(csv, ",,");
-    fprintf(csv, ",,,,,,,,\n");
-  }
-}
-
-/* places of J with their colours */
-static void write_pattern(FILE *file)
-{
-  const maggi_force_jacobian *j = b.cell[reference].x.s->jacobian;
-  const maggi_sparsity *J = &j->pattern->J;
-  int c, k;
-
-  for (c = 0; c < J->ncol; ++c)
-    for (k = J->coladr[c]; k < J->coladr[c + 1]; ++k)
-      fprintf(file, "%s,%d,%d,%d,%d\n", b.c.name, j->pattern->n, J->row[k], c,
-              j->colouring->colour[c]);
-}
-
-static void print_head(const options *o)
-{
-  const cell *r = &b.cell[reference];
-  int n = simulation_coordinates(&r->x);
-
-  printf("%s%s: %d bodies, %d degrees of freedom; J %d x %d, %d nonzeros, %d colours",
-         o->markdown ? "## " : "", b.c.name, b.bodies, b.c.dof, n, 2 * n, (int)entries(),
-         simulation_directions(&r->x));
-  if (b.thesis)
-    printf(" (thesis: %d x %d, %d, %d)", b.thesis->dependents, b.thesis->independents,
-           b.thesis->nonzeros, b.thesis->colours);
-  if (b.recorded) printf("; tape of %ld operations", tape_operations(b.recorded));
-  printf("\n\n");
-}
-
-/* of issue 5, for the largest array of the thesis */
-static void print_target(const char *what, double ratio, double target)
-{
-  printf("%s / tangent-coloured %.1f: at least %g %s\n", what, ratio, target,
-         ratio >= target ? "met" : "missed");
-}
-
-static int has_targets(void)
-{
-  return strcmp(b.c.name, "multiple-four-bar:7x15") == 0;
-}
-
-static void print_jacobian_targets(void)
-{
-  print_target("a Jacobian, difference", series_ratio(&b.cell[0].jacobian, 0.5), 15.0);
-  if (b.n > nlibrary)
-    print_target("a Jacobian, adolc-sparse", series_ratio(&b.cell[b.n - 1].jacobian, 0.5), 10.0);
-  printf("\n");
-}
-
 /* ------------------------------------------------------------------------------------ model */
 
 static int open_ways(void)
@@ -362,7 +185,7 @@ static int open_ways(void)
     if (!simulation_open(&b.cell[i].x, &ways[i], b.c.m, b.recorded)) return 0;
   }
   b.states = calloc(STATES * simulation_state_size(&b.cell[0].x), sizeof(double));
-  b.value = calloc(entries() + 1, sizeof(double));
+  b.value = calloc(model_entries(&b) + 1, sizeof(double));
   return (b.states && b.value) || complain(b.c.name, "out of memory");
 }
 
@@ -384,29 +207,25 @@ static int measure(const options *o)
   int i;
 
   if (!open_ways()) return 0;
-  print_head(o);
+  print_head(&b, o);
   i = (int)(o->time / state_step + 0.5);
   if (!simulation_follow(&b.cell[reference].x, state_step, i, &c, STATES, b.states)) return 0;
   if (check()) return 0;
   time_jacobians(o->rounds);
-  print_jacobians(o);
-  if (has_targets()) print_jacobian_targets();
+  print_jacobians(&b, o);
+  if (has_targets(&b)) print_jacobian_targets(&b);
   fflush(stdout);
-  table_begin(&t, "simulation with|step ms|s|thesis|ratio|+- %|us a Jacobian|Jacobians|thesis|"
-                  "iterations|drift %|thesis|apart|steps|samples");
+  begin_simulations(&t);
   for (i = 0; i < NSTEP; ++i) {
     if (!simulate(steps_of[i], o)) return 0;
-    print_simulations(&t, steps_of[i]);
-    if (o->csv) write_simulations(o->csv, steps_of[i]);
+    print_simulations(&b, &t, steps_of[i]);
+    if (o->csv) write_simulations(&b, o->csv, steps_of[i]);
     ratio[i] = series_ratio(&b.cell[0].run, 0.5);
   }
   table_print(&t, o->markdown);
-  for (i = 0; i < NSTEP && has_targets(); ++i) {
-    printf("steps of %g ms: ", 1e3 * steps_of[i]);
-    print_target("simulation, difference", ratio[i], 8.0);
-  }
-  printf("\n");
-  if (o->pattern) write_pattern(o->pattern);
+  for (i = 0; i < NSTEP && has_targets(&b); ++i) print_simulation_target(steps_of[i], ratio[i]);
+  if (has_targets(&b)) printf("\n");
+  if (o->pattern) write_pattern(&b, o->pattern);
   return 1;
 }
 

@@ -32,7 +32,7 @@ int complain(const char *what, const char *why)
 typedef struct taped {
   maggi_force_jacobian base;
   maggi_force_jacobian *library;
-  tape *recorded;
+  chain_tape *recorded;
   int directions;
   double *x;       /* (2 n) */
   double *seed;    /* (2 n x directions) */
@@ -62,7 +62,7 @@ static void by_tape(maggi_force_jacobian *j, double time)
       j->value[k] = m->product[(size_t)J->row[k] * (size_t)J->ncol + (size_t)c];
 }
 
-static int stand_in(simulation *x, tape *recorded)
+static int stand_in(simulation *x, chain_tape *recorded)
 {
   taped *m = calloc(1, sizeof *m);
   maggi_force_jacobian *j = x->s->jacobian;
@@ -86,7 +86,7 @@ static int stand_in(simulation *x, tape *recorded)
   return 1;
 }
 
-tape *simulation_record(const simulation *x)
+chain_tape *simulation_record(const simulation *x)
 {
   const maggi_data *d = x->d;
   const maggi_pattern *pattern = x->s->jacobian->pattern;
@@ -95,20 +95,22 @@ tape *simulation_record(const simulation *x)
   return d->t.nfun == 0 ? tape_record(&at) : NULL;
 }
 #else
-static int stand_in(simulation *x, tape *recorded)
+static int stand_in(simulation *x, chain_tape *recorded)
 {
-  return x && recorded && 0;
+  (void)x, (void)recorded;
+  return 0;
 }
 
-tape *simulation_record(const simulation *x)
+chain_tape *simulation_record(const simulation *x)
 {
-  return x ? NULL : NULL;
+  (void)x;
+  return NULL;
 }
 #endif
 
 /* --------------------------------------------------------------------------- simulation */
 
-int simulation_open(simulation *x, const way *of, const maggi_model *m, tape *recorded)
+int simulation_open(simulation *x, const way *of, const maggi_model *m, chain_tape *recorded)
 {
   maggi_penalty_options options;
 

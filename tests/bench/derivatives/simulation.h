@@ -2,8 +2,8 @@
 #ifndef BENCH_SIMULATION_H
 #define BENCH_SIMULATION_H
 
+#include "chain_tape.h"
 #include "penalty.h"
-#include "tape.h"
 #include "thesis.h"
 
 typedef struct way {
@@ -32,12 +32,12 @@ typedef struct course {
 } course;
 
 /* after a reset; the tape stays that of the caller */
-int simulation_open(simulation *x, const way *of, const maggi_model *m, tape *recorded);
+int simulation_open(simulation *x, const way *of, const maggi_model *m, chain_tape *recorded);
 void simulation_close(simulation *x);
 int simulation_coordinates(const simulation *x); /* that are not guided */
 int simulation_directions(const simulation *x);  /* of a Jacobian, adjoints: rows */
 /* the state as a tape begins there; NULL for models with functions of time */
-tape *simulation_record(const simulation *x);
+chain_tape *simulation_record(const simulation *x);
 
 /* From the start on; seconds are those of the steps, without the reset.  false with a line on stderr */
 int simulation_run(simulation *x, double h, int steps, course *c);
