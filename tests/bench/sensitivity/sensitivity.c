@@ -105,7 +105,8 @@ static int fail(const char *what, const char *why)
   return 1;
 }
 
-/* spread over the entries of p that matter to the objective */
+/* spread over the entries of p that matter to the objective, and over all where those are too few: the cost
+ * is the same */
 static int choose_parameters(void)
 {
   int *list = malloc((size_t)b.np * sizeof *list);
@@ -115,6 +116,8 @@ static int choose_parameters(void)
   for (i = 0; i < b.np; ++i) largest = fmax(largest, fabs(b.all[i]));
   for (i = 0; i < b.np && list; ++i)
     if (fabs(b.all[i]) > influence * largest) list[n++] = i;
+  for (i = 0; i < b.np && list && n < PARAMETERS; ++i)
+    if (!(fabs(b.all[i]) > influence * largest)) list[n++] = i;
   for (i = 0; i < PARAMETERS && n >= PARAMETERS; ++i) b.parameter[i] = list[i * n / PARAMETERS];
   free(list);
   return n < PARAMETERS;
@@ -144,7 +147,7 @@ static int open_study(void)
   ok = way_adjoint.gradient(self, b.steps, b.all);
   way_adjoint.close(self);
   if (!ok) return 1;
-  if (choose_parameters()) return fail(b.c.name, "has too few parameters that matter");
+  if (choose_parameters()) return fail(b.c.name, "has too few parameters");
   for (i = 0; i < NROW; ++i) {
     b.cell[i].self = rows[i].way->open(&b.of, rows[i].n);
     if (!b.cell[i].self) return fail(rows[i].way->name, "cannot be opened");
