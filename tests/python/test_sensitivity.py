@@ -1,11 +1,13 @@
 """What maggi sensitivity computes: against sensitivities by hand, references and differences."""
 
 import json
+import os
+import subprocess
 
 import analytical
 import numpy
 import pytest
-from conftest import read_csv
+from conftest import BINARY, read_csv
 
 DESIGN = ["m", "Ix", "yCOG", "zCOG", "c", "k"]
 MOTION = {"": "q", "d": "v", "dd": "a"}
@@ -265,3 +267,18 @@ def test_against_differences(maggi, tmp_path, name):
             slope = (high[o][0] - low[o][0]) / (2 * h)
             assert abs(slope - g) < 1e-6 * scale
             assert abs(difference[o][1][path] - g) < 1e-6 * scale
+
+
+def peak_memory(time):
+    """kB of an adjoint with few states kept."""
+    arguments = ["sensitivity", "four-bar", "--objective", "J1", "--memory", "100K", "--time", str(time)]
+    process = subprocess.Popen([BINARY, *arguments], stdout=subprocess.DEVNULL)
+    _, status, usage = os.wait4(process.pid, 0)
+    process.returncode = os.waitstatus_to_exitcode(status)
+    assert process.returncode == 0
+    return usage.ru_maxrss
+
+
+@pytest.mark.slow
+def test_memory_does_not_grow_with_time():
+    assert peak_memory(200) < peak_memory(10) + 500
