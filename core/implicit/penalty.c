@@ -22,7 +22,7 @@
 
 void maggi_penalty_options_init(maggi_penalty_options *options)
 {
-  options->penalty = 1e9;
+  options->penalty = 1e8;
   options->tolerance = 1e-8;
   options->jacobian = MAGGI_JACOBIAN_TANGENT_COLOURED;
   options->reuse = 3;

@@ -73,16 +73,16 @@ def test_thesis(tmp_path, array, nonzeros, step, drift, jacobians):
 
 
 def test_keys():
-    summary = simulate("four-bar", *PENALTY, "--time", 0.1, "--penalty", "1e8", "--tolerance", "1e-11")
+    summary = simulate("four-bar", *PENALTY, "--time", 0.1, "--penalty", "1e7", "--tolerance", "1e-11")
     assert summary["formulation"] == "penalty"
-    assert (summary["penalty"], summary["newton_tolerance"]) == (1e8, 1e-11)
+    assert (summary["penalty"], summary["newton_tolerance"]) == (1e7, 1e-11)
     assert summary["jacobian"] == "tangent-coloured"
     assert (summary["evaluations"], summary["us_per_evaluation"]) == (0, None)
     summary = simulate("four-bar", "--time", 0.1, "--formulation", "maggi")
     assert summary["formulation"] == "maggi"
     assert "newton_iterations" not in summary and summary["evaluations"] > 0
     text = done("simulate", "four-bar", *PENALTY, "--time", 0.1)
-    assert re.search(r"^formulation   penalty 1e\+09, \d+ Newton iterations$", text, re.M)
+    assert re.search(r"^formulation   penalty 1e\+08, \d+ Newton iterations$", text, re.M)
     assert re.search(r"^Jacobians     \d+, tangent-coloured, 20 nonzeros, 6 colours$", text, re.M)
     text = done("simulate", "four-bar", *PENALTY, "--time", 0.1, "--jacobian", "adjoint")
     assert re.search(r"^Jacobians     \d+, adjoint, 20 nonzeros, 8 columns$", text, re.M)
@@ -150,7 +150,7 @@ def test_gradient():
         ]
         assert (ends[0] - ends[1]) / 2e-3 == pytest.approx(g, rel=1e-5)
     assert adjoint["formulation"] == "penalty"
-    assert (adjoint["penalty"], adjoint["jacobian"]) == (1e9, "tangent-coloured")
+    assert (adjoint["penalty"], adjoint["jacobian"]) == (1e8, "tangent-coloured")
     assert sensitivity("four-bar", *END)["formulation"] == "maggi"
 
 
@@ -169,7 +169,7 @@ def test_report_and_notes():
     result = maggi("sensitivity", "four-bar", *PENALTY, *END, "--snapshots", "5")
     assert result.returncode == 0
     assert "--snapshots has no effect with the penalty formulation" in result.stderr
-    assert "formulation   penalty 1e+09, Jacobians by tangent-coloured\n" in result.stdout
+    assert "formulation   penalty 1e+08, Jacobians by tangent-coloured\n" in result.stdout
     assert "snapshots" not in result.stdout
 
 

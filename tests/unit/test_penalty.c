@@ -493,7 +493,7 @@ static void test_options(void)
   int i;
 
   o = defaults();
-  CHECK(o.penalty == 1e9 && o.tolerance == 1e-8 && o.reuse == 3 && o.iterations == 30 &&
+  CHECK(o.penalty == 1e8 && o.tolerance == 1e-8 && o.reuse == 3 && o.iterations == 30 &&
         o.jacobian == MAGGI_JACOBIAN_TANGENT_COLOURED);
   for (i = 0; i < 4; ++i) {
     o = defaults();

@@ -40,7 +40,7 @@ static const char help_simulate[] =
     "  --formulation maggi  explicit, of order 4 (Runge-Kutta); loops closed to --tolerance\n"
     "  --formulation penalty\n"
     "                       implicit, of order 2 (trapezoidal rule); loops held by springs\n"
-    "  --penalty ALPHA      their stiffness, N/m and N m; default 1e9\n"
+    "  --penalty ALPHA      their stiffness, N/m and N m; default 1e8\n"
     "  --jacobian WAY       derivatives of the forces for Newton's method: difference,\n"
     "                       difference-coloured, tangent, tangent-coloured (default) or\n"
     "                       adjoint\n"

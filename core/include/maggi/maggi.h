@@ -911,7 +911,7 @@ typedef enum maggi_jacobian {
 const char *maggi_jacobian_name(maggi_jacobian way); /* "tangent-coloured", ..; NULL: none */
 int maggi_jacobian_find(const char *name);           /* -1: none */
 
-/*   penalty     alpha: force on a loop that is open by 1 [N/m, N m]; default 1e9
+/*   penalty     alpha: force on a loop that is open by 1 [N/m, N m]; default 1e8
  *   tolerance   Newton's method ends when no coordinate moves by more [rad, m]; default 1e-8
  *   jacobian    default tangent-coloured
  *   reuse       iterations with the same Jacobian; default 3
