@@ -1,4 +1,4 @@
-/* core/study/design.c: design parameters as maps onto p, selection, what is refused. */
+/* core/sensitivity/design.c: design parameters as maps onto p, selection, what is refused. */
 #include "data.h"
 #include "design.h"
 #include "fixture.h"
