@@ -339,12 +339,10 @@ static maggi_status begin(maggi_data *d)
 
 void maggi_hold_choice(maggi_data *d)
 {
-  int i, c;
+  int i;
 
-  for (i = 0; i < d->t.nq && !d->is_kept; ++i) {
-    c = d->t.col[i];
-    d->position_given[i] = d->velocity_given[i] = c >= 0 && c < d->t.nind;
-  }
+  for (i = 0; i < d->t.nq && !d->is_kept; ++i)
+    d->position_given[i] = d->velocity_given[i] = maggi_is_independent(&d->t, i);
 }
 
 static maggi_status plan_start(maggi_data *d)

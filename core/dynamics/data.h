@@ -106,6 +106,11 @@
 
 typedef struct maggi_planner maggi_planner;
 
+static inline int maggi_is_independent(const maggi_topo *t, int q)
+{
+  return t->col[q] >= 0 && t->col[q] < t->nind;
+}
+
 /* what has been computed of a state besides its evaluation: nothing; by maggi_balance; all results */
 enum { MAGGI_STALE, MAGGI_BALANCED, MAGGI_FRESH };
 
@@ -189,8 +194,10 @@ maggi_status maggi_planner_create(const maggi_model *m, maggi_planner **planner)
 void maggi_planner_free(maggi_planner *planner);
 void maggi_plan_restart(maggi_data *d); /* forget earlier choices */
 maggi_status maggi_plan(maggi_data *d, int avoid, double threshold);
-/* A better plan for the running simulation if there is one; *changed says so. */
-maggi_status maggi_plan_renew(maggi_data *d, int *changed);
+/* After an evaluation: its pivot ratio, and where the independent coordinates have become bad ones a better
+ * plan if there is one.  *is_new says that the state must be evaluated again, by the plan that there is
+ * now. */
+maggi_status maggi_plan_watch(maggi_data *d, int *is_new);
 
 /* What a plan follows from. */
 typedef struct maggi_saved_plan {
@@ -224,9 +231,8 @@ maggi_status maggi_project(maggi_data *d, double time);
 maggi_status maggi_check(maggi_data *d, double time);
 /* Initial state, after a reset: address in p of the position that a coordinate was set to, -1 if none; those
  * of velocities of independent coordinates are m->initial_velocity.  Hold makes later resets choose these
- * independent coordinates.  Evaluation
- * with the plan by which assembly closed the loops, which is_kept says is another one, or with the final
- * one; velocities of independent coordinates are those of `start`. */
+ * independent coordinates.  Evaluation with the plan by which assembly closed the loops, which is_kept says
+ * is another one, or with the final one; velocities of independent coordinates are those of `start`. */
 int maggi_initial_position(const maggi_data *d, int q);
 void maggi_hold_choice(maggi_data *d);
 maggi_status maggi_evaluate_start(maggi_data *d, int is_kept);

@@ -86,20 +86,15 @@ static int stage(maggi_data *d, double weight, double ahead, double time, int ca
   return (int)d->follower->stage(d->follower, weight, ahead, time);
 }
 
-/* the independent coordinates have become bad ones */
-static maggi_status renew(maggi_data *d, double time)
+/* the state of an evaluation, by a new plan */
+static maggi_status evaluate_again(maggi_data *d, double time)
 {
   const maggi_topo *t = &d->t;
-  maggi_status status;
-  int i, changed;
+  int i;
 
-  memcpy(d->dqs, d->v, bytes(d));
-  status = maggi_plan_renew(d, &changed);
-  if (status != MAGGI_OK) return status;
-  for (i = 0; i < t->nind; ++i) d->vcol[i] = d->dqs[t->colq[i]];
-  d->changes += changed;
-  d->replan_below = changed ? MAGGI_RENEW_BELOW : 0.5 * d->pivot_ratio;
+  for (i = 0; i < t->nind; ++i) d->vcol[i] = d->v[t->colq[i]];
   maggi_evaluate(d, time);
+  d->pivot_ratio = d->stage_ratio;
   return d->follower ? d->follower->renewed(d->follower, time) : MAGGI_OK;
 }
 
@@ -109,7 +104,7 @@ static int advance(maggi_data *d, double h, int careful)
   const maggi_topo *t = &d->t;
   double time = d->start.time, work = d->start.power;
   long projections = d->projections;
-  int status, i;
+  int status, i, is_new;
 
   if (d->follower) d->follower->begin(d->follower);
   memcpy(d->v, d->v0, bytes(d));
@@ -136,13 +131,9 @@ static int advance(maggi_data *d, double h, int careful)
     status = (int)d->follower->end(d->follower, h, time + h, d->projections > projections);
     if (status != MAGGI_OK) return status;
   }
-  d->pivot_ratio = d->stage_ratio;
-  if (d->pivot_ratio > 2.0 * MAGGI_RENEW_BELOW) d->replan_below = MAGGI_RENEW_BELOW;
-  if (t->ndep > 0 && d->pivot_ratio < d->replan_below) {
-    status = renew(d, time + h);
-    if (status != MAGGI_OK) return status;
-    d->pivot_ratio = d->stage_ratio;
-  }
+  status = maggi_plan_watch(d, &is_new);
+  if (status == MAGGI_OK && is_new) status = evaluate_again(d, time + h);
+  if (status != MAGGI_OK) return status;
   status = maggi_check(d, time + h);
   if (status != MAGGI_OK) return status;
   d->time = time + h;

@@ -116,9 +116,6 @@ void maggi_get_loop_state(const maggi_data *d, maggi_loop_state *state)
 
 int maggi_coordinate_is_independent(const maggi_data *d, int coordinate)
 {
-  int c;
-
   if (coordinate < 0 || coordinate >= d->m->ncoordinate || !d->ready) return 0;
-  c = d->t.col[d->m->coordinate[coordinate].q];
-  return c >= 0 && c < d->t.nind;
+  return maggi_is_independent(&d->t, d->m->coordinate[coordinate].q);
 }

@@ -344,7 +344,7 @@ static maggi_status try_choice(maggi_data *d, double old, int *better)
 
 /* Other dependents, or, where loops are redundant in part, the same ones from other loops: those of
  * the island with the small pivot choose last. */
-maggi_status maggi_plan_renew(maggi_data *d, int *changed)
+static maggi_status renew(maggi_data *d, int *changed)
 {
   maggi_planner *pl = d->planner;
   maggi_status status;
@@ -366,6 +366,23 @@ maggi_status maggi_plan_renew(maggi_data *d, int *changed)
 
   /* nothing better: back to what was */
   return maggi_plan_load(d, &(maggi_saved_plan){pl->previous, pl->previous_order, d->piv1});
+}
+
+maggi_status maggi_plan_watch(maggi_data *d, int *is_new)
+{
+  maggi_status status;
+  int changed;
+
+  *is_new = 0;
+  d->pivot_ratio = d->stage_ratio;
+  if (d->pivot_ratio > 2.0 * MAGGI_RENEW_BELOW) d->replan_below = MAGGI_RENEW_BELOW;
+  if (d->t.ndep == 0 || !(d->pivot_ratio < d->replan_below)) return MAGGI_OK;
+  status = renew(d, &changed);
+  if (status != MAGGI_OK) return status;
+  d->changes += changed;
+  d->replan_below = changed ? MAGGI_RENEW_BELOW : 0.5 * d->pivot_ratio;
+  *is_new = 1;
+  return MAGGI_OK;
 }
 
 /* ------------------------------------------------------------------------------ saved and loaded */

@@ -82,3 +82,18 @@ void maggi_chain_forces(maggi_data *d, double time)
   resist(d);
   sum(d);
 }
+
+void maggi_chain_rates(maggi_data *d)
+{
+  maggi_loop_rates(&d->t, d->prim0, ARRAY(d->r), ARRAY(d->dir), ARRAY(d->rv), ARRAY(d->Z), d->rate);
+}
+
+void maggi_chain_gamma(maggi_data *d)
+{
+  const maggi_topo *t = &d->t;
+
+  maggi_point_accelerations(t, 0, t->npointdyn, ARRAY(d->r), ARRAY(d->rv), ARRAY(d->Z),
+                            ARRAY(d->Za), d->ra);
+  maggi_loop_gamma(t, d->prim0, ARRAY(d->r), ARRAY(d->dir), ARRAY(d->rv), ARRAY(d->ra), ARRAY(d->Z),
+                   ARRAY(d->Za), d->gama);
+}

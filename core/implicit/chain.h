@@ -18,6 +18,9 @@ void maggi_chain_forces(maggi_data *d, double time);
  * lambda = alpha Phi, or with d->lambda as it is */
 void maggi_chain_accelerate(maggi_data *d, double alpha);
 void maggi_chain_balance(maggi_data *d);
+/* after one of these: how fast loops open, d->rate; and minus how fast that changes, d->gama */
+void maggi_chain_rates(maggi_data *d);
+void maggi_chain_gamma(maggi_data *d);
 
 /* Bodies that nothing but z'' = x moves, at the positions of a simulation:
  *

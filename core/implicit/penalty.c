@@ -131,13 +131,10 @@ static maggi_status finish(maggi_penalty *s, double h, double time)
   if (t->nrow == 0) return MAGGI_OK;
   maggi_tangent_matrix_project(s->matrix, h, s->options.penalty);
   if (!maggi_factor_compute(s->projection, s->matrix->projection)) return fail_singular(s, time);
-  maggi_loop_rates(t, d->prim0, (void *)d->r, (void *)d->dir, (void *)d->rv, (void *)d->Z, d->rate);
+  maggi_chain_rates(d);
   project(s, h, d->rate, d->v);
   maggi_chain_evaluate(d, time, s->options.penalty);
-  maggi_point_accelerations(t, 0, t->npointdyn, (void *)d->r, (void *)d->rv, (void *)d->Z,
-                            (void *)d->Za, d->ra);
-  maggi_loop_gamma(t, d->prim0, (void *)d->r, (void *)d->dir, (void *)d->rv, (void *)d->ra,
-                   (void *)d->Z, (void *)d->Za, d->gama);
+  maggi_chain_gamma(d);
   for (i = 0; i < t->nrow; ++i) d->gama[i] = -d->gama[i];
   project(s, h, d->gama, d->a);
   return MAGGI_OK;
@@ -159,20 +156,16 @@ static void drive(maggi_penalty *s)
   }
 }
 
-/* Multipliers are those of the dependent coordinates: other ones when these have become bad, as by
- * maggi_step. */
-static maggi_status renew(maggi_data *d, double time)
+/* The results of a state.  Multipliers are those of the dependent coordinates: other ones when these have
+ * become bad, as by maggi_step. */
+static maggi_status evaluate(maggi_data *d, double time)
 {
   maggi_status status;
-  int changed;
+  int is_new;
 
-  d->pivot_ratio = d->stage_ratio;
-  if (d->pivot_ratio > 2.0 * MAGGI_RENEW_BELOW) d->replan_below = MAGGI_RENEW_BELOW;
-  if (d->t.ndep == 0 || !(d->pivot_ratio < d->replan_below)) return MAGGI_OK;
-  status = maggi_plan_renew(d, &changed);
-  if (status != MAGGI_OK) return status;
-  d->changes += changed;
-  d->replan_below = changed ? MAGGI_RENEW_BELOW : 0.5 * d->pivot_ratio;
+  maggi_evaluate_given(d, time);
+  status = maggi_plan_watch(d, &is_new);
+  if (status != MAGGI_OK || !is_new) return status;
   maggi_evaluate_given(d, time);
   d->pivot_ratio = d->stage_ratio;
   return MAGGI_OK;
@@ -197,9 +190,7 @@ maggi_status maggi_penalty_step(maggi_penalty *s, double h)
   for (i = 0; i < d->t.nq; ++i) d->q[i] += h * (s->v0[i] + 0.5 * h * s->a0[i]);
   status = solve(s, h, time);
   if (status == MAGGI_OK) status = finish(s, h, time);
-  if (status != MAGGI_OK) return status;
-  maggi_evaluate_given(d, time);
-  status = renew(d, time);
+  if (status == MAGGI_OK) status = evaluate(d, time);
   if (status != MAGGI_OK) return status;
   if (d->t.nguide > 0) drive(s);
   d->work += 0.5 * h * (power + d->power[0]);

@@ -95,11 +95,8 @@ maggi_status maggi_penalty_differentiate_projections(maggi_penalty_derivative *x
   maggi_tangent_matrix_project(s->matrix, h, s->options.penalty);
   if (!maggi_factor_compute(s->projection, s->matrix->projection))
     return maggi_data_fail(d, MAGGI_E_MASS, "t = %.6g s: the mass matrix is singular", time);
-  maggi_point_accelerations(t, 0, t->npointdyn, (void *)d->r, (void *)d->rv, (void *)d->Z,
-                            (void *)d->Za, d->ra);
-  maggi_loop_rates(t, d->prim0, (void *)d->r, (void *)d->dir, (void *)d->rv, (void *)d->Z, d->rate);
-  maggi_loop_gamma(t, d->prim0, (void *)d->r, (void *)d->dir, (void *)d->rv, (void *)d->ra,
-                   (void *)d->Z, (void *)d->Za, d->gama);
+  maggi_chain_rates(d);
+  maggi_chain_gamma(d);
   load(x, &x->velocity, h, d->v, s->vs, 1.0, d->rate);
   load(x, &x->acceleration, h, d->a, s->as, -1.0, d->gama);
   return MAGGI_OK;

@@ -115,7 +115,7 @@ static void gather_independent(const maggi_data *d, const double *from, double *
 
   for (i = 0; i < d->m->ncoordinate && x; ++i) {
     q = d->m->coordinate[i].q;
-    x[i] = d->t.col[q] >= 0 && d->t.col[q] < d->t.nind ? from[q] : 0.0;
+    x[i] = maggi_is_independent(&d->t, q) ? from[q] : 0.0;
   }
 }
 

@@ -230,15 +230,15 @@ maggi_status maggi_design_set(const maggi_design *design, maggi_data *d, const d
   return MAGGI_OK;
 }
 
-void maggi_design_directions(const maggi_design *g, int first, int n, double *out)
+void maggi_design_directions(const maggi_design *g, int first, int n, int ld, double *out)
 {
   const design_parameter *q;
   int i, j;
 
-  memset(out, 0, (size_t)g->m->nparameter * (size_t)n * sizeof *out);
+  memset(out, 0, (size_t)g->m->nparameter * (size_t)ld * sizeof *out);
   for (i = 0; i < n; ++i) {
     q = &g->parameter[first + i];
-    for (j = 0; j < q->n; ++j) out[(size_t)q->entry[j] * (size_t)n + (size_t)i] = q->factor[j];
+    for (j = 0; j < q->n; ++j) out[(size_t)q->entry[j] * (size_t)ld + (size_t)i] = q->factor[j];
   }
 }
 

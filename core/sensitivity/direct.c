@@ -117,17 +117,12 @@ static void interpolate(maggi_follower *f, const double c[3][6])
 /* directions of the parameters, all strips, and the tangents of the constants */
 static void load_parameters(maggi_direct *s)
 {
-  double *p;
-  int first, n, i, c;
+  int first, n;
 
   for (first = 0; first < s->n; first += W) {
     maggi_direct_choose(s, first);
-    p = s->D->strip.p;
     n = s->n - first < W ? s->n - first : W;
-    maggi_design_directions(s->design, first, n, p);
-    /* from the end, because rows grow */
-    for (i = s->d->t.np - 1; i >= 0 && n < W; --i)
-      for (c = W - 1; c >= 0; --c) p[i * W + c] = c < n ? p[i * n + c] : 0.0;
+    maggi_design_directions(s->design, first, n, W, s->D->strip.p);
     maggi_strip_constants(s->D);
   }
 }
@@ -223,7 +218,7 @@ void maggi_direct_get_signals(maggi_direct *s, int nsignal, const int *signal, d
   double row[W];
   int i, first;
 
-  if (need && maggi_linearise_at(s->D, s->d->time) == MAGGI_OK) maggi_results(s->d);
+  if (need) maggi_linearise_at(s->D, s->d->time);
   for (first = 0; first < s->n; first += W) {
     maggi_direct_choose(s, first);
     if (need) maggi_strip_given(s->D, need);

@@ -11,11 +11,6 @@ static size_t bytes(const maggi_data *d)
   return (size_t)d->t.nq * sizeof(double);
 }
 
-static int is_independent(const maggi_topo *t, int q)
-{
-  return t->col[q] >= 0 && t->col[q] < t->nind;
-}
-
 static void add(int n, double f, const double *x, double *y)
 {
   int i;
@@ -54,8 +49,8 @@ static void add_state(const maggi_reversal *r, const maggi_lane *x)
 
 /* ------------------------------------------------------------------------------------- samples */
 
-/* adjoints of the signals of sample k for a lane that has been chosen; what they need, 0 also if nothing but
- * the state, -1 if all are zero */
+/* adjoints of the signals of sample k for a lane that has been chosen, and what they need; false if all are
+ * zero */
 static int seed(maggi_reversal *r, int lane, long k, unsigned *need)
 {
   const int *signal;
@@ -199,7 +194,7 @@ static void start_lane(maggi_reversal *r, maggi_lane *x)
   maggi_adjoint_closure(r->D);
   for (i = 0; i < d->t.nq; ++i) {
     adr = maggi_initial_position(d, i);
-    if (adr >= 0 && is_independent(&d->t, i)) s->p[adr] += s->q[i];
+    if (adr >= 0 && maggi_is_independent(&d->t, i)) s->p[adr] += s->q[i];
   }
 }
 

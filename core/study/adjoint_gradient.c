@@ -170,14 +170,13 @@ static int count_snapshots(const maggi_study *s)
   return n < 1 ? 1 : n > INT_MAX ? INT_MAX : (int)n;
 }
 
-static void gather(work *w)
+void maggi_study_gather(maggi_study *s, maggi_reversal *r, double *p)
 {
-  maggi_study *s = w->s;
   int i;
 
   for (i = 0; i < s->n; ++i) {
-    maggi_reversal_gradient(w->reversal, i, w->p);
-    maggi_design_pull(s->design, w->p, s->gradient + i * maggi_design_number(s->design));
+    maggi_reversal_gradient(r, i, p);
+    maggi_design_pull(s->design, p, s->gradient + i * maggi_design_number(s->design));
   }
 }
 
@@ -192,7 +191,7 @@ maggi_status maggi_gradient_adjoint(maggi_study *s)
   s->options->kept = s->grid.steps;
   if (status == MAGGI_OK) status = snapshots > 0 ? run_snapshots(&w, snapshots) : run_tape(&w);
   if (status == MAGGI_OK) status = maggi_reversal_finish(w.reversal, w.tape);
-  if (status == MAGGI_OK) gather(&w);
+  if (status == MAGGI_OK) maggi_study_gather(s, w.reversal, w.p);
   if (status == MAGGI_E_MEMORY) maggi_data_fail(s->d, status, "out of memory");
   maggi_reversal_free(w.reversal);
   maggi_tape_free(w.tape);

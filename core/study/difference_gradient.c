@@ -42,7 +42,7 @@ static maggi_status differentiate(work *w, const double *middle, int j)
   h = s->options->perturbation * (h > 0.0 ? h : 1.0);
   ahead = method == MAGGI_METHOD_BACKWARD_DIFFERENCE ? 0.0 : h;
   behind = method == MAGGI_METHOD_FORWARD_DIFFERENCE ? 0.0 : -h;
-  maggi_design_directions(s->design, j, 1, w->direction);
+  maggi_design_directions(s->design, j, 1, 1, w->direction);
   memcpy(w->value, middle, (size_t)s->n * sizeof(double));
   other = w->value + s->n;
   memcpy(other, middle, (size_t)s->n * sizeof(double));

@@ -156,7 +156,6 @@ maggi_status maggi_gradient_penalty_adjoint(maggi_study *s)
   size_t numbers = (size_t)(s->grid.steps + 1) * 3 * (size_t)s->d->t.nq;
   work w = {.seeds = {seeds_of}, .s = s};
   maggi_status status;
-  int i;
 
   if (numbers > s->options->memory / sizeof(double))
     return maggi_data_fail(s->d, MAGGI_E_MEMORY,
@@ -168,10 +167,7 @@ maggi_status maggi_gradient_penalty_adjoint(maggi_study *s)
   s->options->kept = s->grid.steps;
   if (status == MAGGI_OK) status = run(&w);
   if (status == MAGGI_E_MEMORY) maggi_data_fail(s->d, status, "out of memory");
-  for (i = 0; i < s->n && status == MAGGI_OK; ++i) {
-    maggi_reversal_gradient(w.reversal, i, w.p);
-    maggi_design_pull(s->design, w.p, s->gradient + i * maggi_design_number(s->design));
-  }
+  if (status == MAGGI_OK) maggi_study_gather(s, w.reversal, w.p);
   maggi_penalty_derivative_free(w.implicit);
   maggi_reversal_free(w.reversal);
   maggi_tape_free(w.start);

@@ -39,6 +39,9 @@ int maggi_study_weights(maggi_study *s, int i, long k, const int **signal, const
 /* whether all objectives have derivatives */
 maggi_status maggi_study_differentiable(maggi_study *s);
 
+/* gradients by the design parameters from the lanes of a reversal; p (np) is work space */
+void maggi_study_gather(maggi_study *s, maggi_reversal *r, double *p);
+
 maggi_status maggi_gradient_direct(maggi_study *s);
 maggi_status maggi_gradient_adjoint(maggi_study *s);
 maggi_status maggi_gradient_penalty_adjoint(maggi_study *s);

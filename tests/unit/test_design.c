@@ -135,7 +135,7 @@ static void test_maps(void)
   for (first = 0; first < 3; ++first) {
     for (n = 1; first + n <= 3; ++n) {
       for (i = 0; i < 3 * np; ++i) out[i] = 7.0;
-      maggi_design_directions(s.g, first, n, out);
+      maggi_design_directions(s.g, first, n, n, out);
       for (j = 0; j < n; ++j) {
         for (i = 0, x = 0.0; i < np; ++i) x += p_bar[i] * out[i * n + j];
         CHECK_NEAR(x, gradient[first + j], 1e-14, 0.0);
@@ -143,7 +143,7 @@ static void test_maps(void)
       for (i = n * np; i < 3 * np; ++i) CHECK(out[i] == 7.0);
     }
   }
-  maggi_design_directions(s.g, 0, 3, out);
+  maggi_design_directions(s.g, 0, 3, 3, out);
   i = maggi_parameter_find(s.m, "joint_springs.s2.stiffness");
   CHECK(out[3 * i] == 3.0 && out[3 * i + 1] == -2.0 && out[3 * i + 2] == 0.0);
   free(out);

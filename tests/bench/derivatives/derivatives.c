@@ -10,9 +10,8 @@
 
 #include <stdlib.h>
 #include <string.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
+#include "apart.h"
 #include "cases.h"
 #include "penalty.h"
 #include "suites.h"
@@ -74,26 +73,12 @@ static void print_machine(const options *o)
          bullet);
 }
 
-static int run(const options *o, const char *name)
+static int run(const void *of, const char *name)
 {
+  const options *o = of;
   if (strcmp(name, "size") == 0) return run_size(o);
   if (strcmp(name, "factor") == 0) return run_factor(o);
   return run_model(o, name);
-}
-
-/* in a process of its own: the memory of ADOL-C remembers all models before */
-static int run_apart(const options *o, const char *name)
-{
-  int status = 1;
-  pid_t child;
-
-  fflush(NULL);
-  child = fork();
-  if (child == 0) {
-    status = run(o, name);
-    exit(fflush(NULL) != 0 || status);
-  }
-  return child < 0 || waitpid(child, &status, 0) != child || status != 0;
 }
 
 static int usage(void)
@@ -142,7 +127,7 @@ int main(int argc, char **argv)
   for (i = 0; n == 0 && i < NNAME; ++i) chosen[i] = names[i];
   if (n == 0) n = NNAME;
   print_machine(&o);
-  for (i = 0; i < n; ++i) wrong = run_apart(&o, chosen[i]) || wrong;
+  for (i = 0; i < n; ++i) wrong = run_apart(run, &o, chosen[i]) || wrong;
   if (o.csv) wrong = fclose(o.csv) != 0 || wrong;
   if (o.pattern) wrong = fclose(o.pattern) != 0 || wrong;
   return wrong;

@@ -13,9 +13,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
+#include "apart.h"
 #include "cases.h"
 #include "data.h"
 #include "methods.h"
@@ -457,8 +456,9 @@ static void print_parts(const options *o)
   table_print(&t, o->markdown);
 }
 
-static int run(const options *o, const char *model)
+static int run(const void *of, const char *model)
 {
+  const options *o = of;
   double plain;
   int task, wrong;
 
@@ -483,21 +483,6 @@ static int run(const options *o, const char *model)
   close_problem();
   case_close(&b.c);
   return wrong;
-}
-
-/* in a process of its own: the memory of ADOL-C remembers all models before */
-static int run_apart(const options *o, const char *model)
-{
-  int status = 1;
-  pid_t child;
-
-  fflush(NULL);
-  child = fork();
-  if (child == 0) {
-    status = run(o, model);
-    exit(fflush(NULL) != 0 || status);
-  }
-  return child < 0 || waitpid(child, &status, 0) != child || status != 0;
 }
 
 /* ------------------------------------------------------------------------------- main */
@@ -540,6 +525,6 @@ int main(int argc, char **argv)
   if (o.csv)
     fprintf(o.csv, "suite,case,method,task,ratio,ratio_low,ratio_high,us,plain_us,target,then\n");
   print_machine(&o);
-  for (i = 0; i < n; ++i) wrong = run_apart(&o, chosen[i]) || wrong;
+  for (i = 0; i < n; ++i) wrong = run_apart(run, &o, chosen[i]) || wrong;
   return wrong || (o.csv && fclose(o.csv) != 0);
 }

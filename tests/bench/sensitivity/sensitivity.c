@@ -14,9 +14,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
+#include "apart.h"
 #include "cases.h"
 #include "data.h"
 #include "table.h"
@@ -431,8 +430,9 @@ static int run_study(const options *o)
   return 0;
 }
 
-static int run(const options *o, const char *model)
+static int run(const void *of, const char *model)
 {
+  const options *o = of;
   int wrong;
 
   if (!case_open(&b.c, model)) return 1;
@@ -441,21 +441,6 @@ static int run(const options *o, const char *model)
   close_study();
   case_close(&b.c);
   return wrong;
-}
-
-/* in a process of its own: the memory of ADOL-C remembers all models before */
-static int run_apart(const options *o, const char *model)
-{
-  int status = 1;
-  pid_t child;
-
-  fflush(NULL);
-  child = fork();
-  if (child == 0) {
-    status = run(o, model);
-    exit(fflush(NULL) != 0 || status);
-  }
-  return child < 0 || waitpid(child, &status, 0) != child || status != 0;
 }
 
 /* ------------------------------------------------------------------------------- main */
@@ -500,6 +485,6 @@ int main(int argc, char **argv)
     fprintf(o.csv, "suite,case,bodies,method,parameters,ratio,ratio_low,ratio_high,ms,plain_ms,"
                    "target,differs\n");
   print_machine(&o);
-  for (i = 0; i < n; ++i) wrong = run_apart(&o, chosen[i]) || wrong;
+  for (i = 0; i < n; ++i) wrong = run_apart(run, &o, chosen[i]) || wrong;
   return wrong || (o.csv && fclose(o.csv) != 0);
 }
