@@ -88,382 +88,378 @@ void maggi_functions_b(const maggi_topo *t, const double p[restrict t->np],
                        double spline0b[restrict t->nspline][3], double time,
                        double fun[restrict t->nfun][3], double funb[restrict t->nfun][3])
 {
-  int i, is_k3, is_k3_2, is_k3_3, is_k3_4, k, k2, k3, k4;
-  double a, ab, c, c2, c2b, cb, e, eb, h, h2, h2b, h3, h3_2, h3_2b, h3_3, h3_3b, h3b, hb, p_k, p_k1,
-      p_k1b, p_k2, p_k2_2, p_k2_2b, p_k2b, p_k3, p_k3_2, p_k3_2b, p_k3b, p_k4, p_k4b, p_kb, p_ki,
-      p_ki1, p_ki1b, p_kib, p_kii1, p_kii1b, p_kik3, p_kik31, p_kik31b, p_kik3b, p_kik4, p_kik4b,
-      p_kk2b, p_kk3, p_kk3b, p_kk4, p_kk41, p_kk41b, p_kk4b, s, sb, slope, slope2, slope2b, slopeb,
-      spline0_ik40, spline0_ik40b, spline0_ik410, spline0_ik410b, t10, t10b, t11, t11b, t12, t12b,
-      t13, t13b, t14, t14b, t15, t15b, t16, t16b, t17, t17b, t18, t18b, t19, t19b, t2, t20, t20b,
-      t3, t4, t5, t5b, t6, t6b, t7, t7b, t8, t8b, t9, t9b, tb10, tb11, tb12, tb13, tb14, tb15, tb16,
-      tb17, tb18, tb19, tb2, tb20, tb21, tb22, tb23, tb24, tb25, tb26, tb27, tb28, tb29, tb3, tb30,
-      tb31, tb32, tb33, tb34, tb35, tb36, tb37, tb38, tb39, tb4, tb40, tb41, tb42, tb43, tb44, tb45,
-      tb46, tb47, tb48, tb49, tb5, tb50, tb51, tb52, tb53, tb54, tb55, tb56, tb57, tb58, tb59, tb6,
-      tb60, tb7, tb8, tb9, x, x2, x2b, xb;
+  int i, is_k2, is_k2_2, is_k2_3, is_k2_4, k, k2, k3;
+  double a, ab, c, c2, c2b, cb, e, eb, f0b, f1b, f2b, h, h2, h2b, h3, h3_2, h3_2b, h3_3, h3_3b, h3b,
+      hb, moves, p_i, p_i1, p_i1b, p_i2, p_i2_2, p_i2_2b, p_i2b, p_i3, p_i3_2, p_i3_2b, p_i3b, p_i4,
+      p_i4b, p_ib, p_ii, p_ii1, p_ii1b, p_iib, p_iii1, p_iii1b, p_iik2, p_iik21, p_iik21b, p_iik2b,
+      p_iik3, p_iik3b, p_ik2, p_ik2b, p_ik3, p_ik31, p_ik31b, p_ik3b, p_ikb, s, sb, slope, slope2,
+      slope2b, slopeb, spline0_ik30, spline0_ik30b, spline0_ik310, spline0_ik310b, t10, t10b, t11,
+      t11b, t12, t12b, t13, t13b, t14, t14b, t15, t15b, t16, t16b, t17, t17b, t18, t18b, t19, t19b,
+      t2, t20, t20b, t3, t4, t5, t5b, t6, t6b, t7, t7b, t8, t8b, t9, t9b, tb10, tb11, tb12, tb13,
+      tb14, tb15, tb16, tb17, tb18, tb19, tb2, tb20, tb21, tb22, tb23, tb24, tb25, tb26, tb27, tb28,
+      tb29, tb3, tb30, tb31, tb32, tb33, tb34, tb35, tb36, tb37, tb38, tb39, tb4, tb40, tb41, tb42,
+      tb43, tb44, tb45, tb46, tb47, tb5, tb6, tb7, tb8, tb9, x, x2, x2b, xb;
 
   (void)fun;
+  t4 = 0.0;
   for (i = t->nfun - 1; i >= 0; --i) {
-    k = t->funadr[i];
+    moves = t->funheld[i] ? 0.0 : 1.0;
+    f2b = funb[i][2] * moves;
+    funb[i][2] = 0.0;
+    f1b = funb[i][1] * moves;
+    funb[i][1] = 0.0;
+    f0b = funb[i][0];
+    funb[i][0] = 0.0;
+    /* of one function */
     if (t->funkind[i] == MAGGI_FUNCTION_CONSTANT) {
-      funb[i][2] = 0.0;
-      funb[i][1] = 0.0;
-      pb[k] += funb[i][0];
-      funb[i][0] = 0.0;
+      f2b = 0.0;
+      f1b = 0.0;
+      pb[t->funadr[i]] += f0b;
+      f0b = 0.0;
     } else if (t->funkind[i] == MAGGI_FUNCTION_POLYNOMIAL) {
-      for (k2 = t->funn[i] - 1; k2 >= 1; --k2) {
-        t2 = pow(time, k2);
-        t3 = pow(time, k2 - 1);
-        if (k2 > 1) {
-          t4 = pow(time, k2 - 2);
-          pb[k + k2] += funb[i][2] * t4 * (k2 - 1) * k2;
+      for (k = t->funn[i] - 1; k >= 1; --k) {
+        t2 = pow(time, k);
+        t3 = pow(time, k - 1);
+        if (k > 1) {
+          t4 = pow(time, k - 2);
         }
-        p_kk2b = funb[i][1] * t3 * k2;
-        p_kk2b += funb[i][0] * t2;
-        pb[k + k2] += p_kk2b;
+        if (k > 1) {
+          pb[t->funadr[i] + k] += f2b * t4 * (k - 1) * k;
+        }
+        p_ikb = f1b * t3 * k;
+        p_ikb += f0b * t2;
+        pb[t->funadr[i] + k] += p_ikb;
       }
-      funb[i][2] = 0.0;
-      funb[i][1] = 0.0;
+      f2b = 0.0;
+      f1b = 0.0;
       /* sum_k c_k t^k */
-      pb[k] += funb[i][0];
-      funb[i][0] = 0.0;
+      pb[t->funadr[i]] += f0b;
+      f0b = 0.0;
     } else if (t->funkind[i] == MAGGI_FUNCTION_SINE) {
-      p_k1 = p[k + 1];
-      p_k2 = p[k + 2];
-      t5 = p_k1 * time + p_k2;
+      p_i1 = p[t->funadr[i] + 1];
+      p_i2 = p[t->funadr[i] + 2];
+      t5 = p_i1 * time + p_i2;
       s = sin(t5);
-      t6 = p_k1 * time + p_k2;
+      t6 = p_i1 * time + p_i2;
       c = cos(t6);
-      p_k = p[k];
-      tb5 = funb[i][2];
-      funb[i][2] = 0.0;
-      tb6 = tb5 * s;
-      tb7 = tb6 * p_k1;
-      p_kb = -(tb7 * p_k1);
-      p_k1b = -(tb7 * p_k);
-      p_k1b += tb6 * (-p_k * p_k1);
-      sb = tb5 * (-p_k * p_k1 * p_k1);
-      tb3 = funb[i][1];
-      funb[i][1] = 0.0;
-      tb4 = tb3 * c;
-      p_kb += tb4 * p_k1;
-      p_k1b += tb4 * p_k;
-      cb = tb3 * (p_k * p_k1);
-      tb2 = funb[i][0];
-      funb[i][0] = 0.0;
-      pb[k + 3] += tb2;
-      p_kb += tb2 * s;
-      sb += tb2 * p_k;
-      pb[k] += p_kb;
+      p_i = p[t->funadr[i]];
+      tb3 = f2b * s;
+      tb4 = tb3 * p_i1;
+      p_ib = -(tb4 * p_i1);
+      p_i1b = -(tb4 * p_i);
+      p_i1b += tb3 * (-p_i * p_i1);
+      sb = f2b * (-p_i * p_i1 * p_i1);
+      f2b = 0.0;
+      tb2 = f1b * c;
+      p_ib += tb2 * p_i1;
+      p_i1b += tb2 * p_i;
+      cb = f1b * (p_i * p_i1);
+      f1b = 0.0;
+      pb[t->funadr[i] + 3] += f0b;
+      p_ib += f0b * s;
+      sb += f0b * p_i;
+      f0b = 0.0;
+      pb[t->funadr[i]] += p_ib;
       t6b = -(cb * sin(t6));
-      p_k1b += t6b * time;
-      p_k2b = t6b;
+      p_i1b += t6b * time;
+      p_i2b = t6b;
       t5b = sb * cos(t5);
-      p_k1b += t5b * time;
-      p_k2b += t5b;
-      pb[k + 2] += p_k2b;
-      pb[k + 1] += p_k1b;
+      p_i1b += t5b * time;
+      p_i2b += t5b;
+      pb[t->funadr[i] + 2] += p_i2b;
+      pb[t->funadr[i] + 1] += p_i1b;
     } else if (t->funkind[i] == MAGGI_FUNCTION_STEP) {
       /* y0 + (y1 - y0) (10 x^3 - 15 x^4 + 6 x^5), x = (t - t0) / (t1 - t0) */
-      if (MAGGI_RE(time) <= MAGGI_RE(p[k])) {
-        funb[i][2] = 0.0;
-        funb[i][1] = 0.0;
-        pb[k + 2] += funb[i][0];
-        funb[i][0] = 0.0;
-      } else if (MAGGI_RE(time) >= MAGGI_RE(p[k + 1])) {
-        funb[i][2] = 0.0;
-        funb[i][1] = 0.0;
-        pb[k + 3] += funb[i][0];
-        funb[i][0] = 0.0;
+      if (MAGGI_RE(time) <= MAGGI_RE(p[t->funadr[i]])) {
+        f2b = 0.0;
+        f1b = 0.0;
+        pb[t->funadr[i] + 2] += f0b;
+        f0b = 0.0;
+      } else if (MAGGI_RE(time) >= MAGGI_RE(p[t->funadr[i] + 1])) {
+        f2b = 0.0;
+        f1b = 0.0;
+        pb[t->funadr[i] + 3] += f0b;
+        f0b = 0.0;
       } else {
-        p_k3 = p[k];
-        h = p[k + 1] - p_k3;
-        x = (time - p_k3) / h;
-        p_k2_2 = p[k + 2];
-        p_k3_2 = p[k + 3];
-        t7 = (p_k3_2 - p_k2_2) / h;
+        p_i3 = p[t->funadr[i]];
+        h = p[t->funadr[i] + 1] - p_i3;
+        x = (time - p_i3) / h;
+        p_i2_2 = p[t->funadr[i] + 2];
+        p_i3_2 = p[t->funadr[i] + 3];
+        t7 = (p_i3_2 - p_i2_2) / h;
         t8 = h * h;
-        t9 = (p_k3_2 - p_k2_2) / t8;
-        tb21 = funb[i][2];
-        funb[i][2] = 0.0;
-        tb22 = tb21 * (1.0 + x * (-3.0 + 2.0 * x));
-        t9b = tb22 * x * 60.0;
-        xb = tb22 * (t9 * 60.0);
-        tb23 = tb21 * (t9 * 60.0 * x);
-        xb += tb23 * (-3.0 + 2.0 * x);
-        xb += tb23 * x * 2.0;
-        tb20 = t9b / t8;
-        p_k3_2b = tb20;
-        p_k2_2b = -tb20;
-        t8b = -(tb20 * t9);
+        t9 = (p_i3_2 - p_i2_2) / t8;
+        tb16 = f2b * (1.0 + x * (-3.0 + 2.0 * x));
+        t9b = tb16 * x * 60.0;
+        xb = tb16 * (t9 * 60.0);
+        tb17 = f2b * (t9 * 60.0 * x);
+        xb += tb17 * (-3.0 + 2.0 * x);
+        xb += tb17 * x * 2.0;
+        f2b = 0.0;
+        tb15 = t9b / t8;
+        p_i3_2b = tb15;
+        p_i2_2b = -tb15;
+        t8b = -(tb15 * t9);
         hb = t8b * h;
         hb += t8b * h;
-        tb16 = funb[i][1];
-        funb[i][1] = 0.0;
-        tb17 = tb16 * (1.0 + x * (-2.0 + x));
-        tb18 = tb17 * x;
-        t7b = tb18 * x * 30.0;
-        xb += tb18 * (t7 * 30.0);
-        xb += tb17 * (t7 * 30.0 * x);
-        tb19 = tb16 * (t7 * 30.0 * x * x);
-        xb += tb19 * (-2.0 + x);
-        xb += tb19 * x;
-        tb15 = t7b / h;
-        p_k3_2b += tb15;
-        p_k2_2b -= tb15;
-        hb -= tb15 * t7;
-        tb9 = funb[i][0];
-        funb[i][0] = 0.0;
-        p_k2_2b += tb9;
-        tb10 = tb9 * (10.0 + x * (-15.0 + 6.0 * x));
-        tb11 = tb10 * x;
-        tb12 = tb11 * x;
+        tb12 = f1b * (1.0 + x * (-2.0 + x));
         tb13 = tb12 * x;
-        p_k3_2b += tb13;
-        p_k2_2b -= tb13;
-        xb += tb12 * (p_k3_2 - p_k2_2);
-        xb += tb11 * ((p_k3_2 - p_k2_2) * x);
-        xb += tb10 * ((p_k3_2 - p_k2_2) * x * x);
-        tb14 = tb9 * ((p_k3_2 - p_k2_2) * x * x * x);
-        xb += tb14 * (-15.0 + 6.0 * x);
-        xb += tb14 * x * 6.0;
-        pb[k + 3] += p_k3_2b;
-        pb[k + 2] += p_k2_2b;
-        tb8 = xb / h;
-        p_k3b = -tb8;
-        hb -= tb8 * x;
-        pb[k + 1] += hb;
-        p_k3b -= hb;
-        pb[k] += p_k3b;
+        t7b = tb13 * x * 30.0;
+        xb += tb13 * (t7 * 30.0);
+        xb += tb12 * (t7 * 30.0 * x);
+        tb14 = f1b * (t7 * 30.0 * x * x);
+        xb += tb14 * (-2.0 + x);
+        xb += tb14 * x;
+        f1b = 0.0;
+        tb11 = t7b / h;
+        p_i3_2b += tb11;
+        p_i2_2b -= tb11;
+        hb -= tb11 * t7;
+        p_i2_2b += f0b;
+        tb6 = f0b * (10.0 + x * (-15.0 + 6.0 * x));
+        tb7 = tb6 * x;
+        tb8 = tb7 * x;
+        tb9 = tb8 * x;
+        p_i3_2b += tb9;
+        p_i2_2b -= tb9;
+        xb += tb8 * (p_i3_2 - p_i2_2);
+        xb += tb7 * ((p_i3_2 - p_i2_2) * x);
+        xb += tb6 * ((p_i3_2 - p_i2_2) * x * x);
+        tb10 = f0b * ((p_i3_2 - p_i2_2) * x * x * x);
+        xb += tb10 * (-15.0 + 6.0 * x);
+        xb += tb10 * x * 6.0;
+        f0b = 0.0;
+        pb[t->funadr[i] + 3] += p_i3_2b;
+        pb[t->funadr[i] + 2] += p_i2_2b;
+        tb5 = xb / h;
+        p_i3b = -tb5;
+        hb -= tb5 * x;
+        pb[t->funadr[i] + 1] += hb;
+        p_i3b -= hb;
+        pb[t->funadr[i]] += p_i3b;
       }
     } else if (t->funkind[i] == MAGGI_FUNCTION_KNOTS) {
-      k3 = piece_nodiff(t->np, p, k, t->funn[i], time);
-      is_k3 = k3 < 0;
-      if (is_k3) {
-        k3 = 0;
+      k2 = piece_nodiff(t->np, p, t->funadr[i], t->funn[i], time);
+      is_k2 = k2 < 0;
+      if (is_k2) {
+        k2 = 0;
       }
-      is_k3_2 = k3 > t->funn[i] - 2;
-      if (is_k3_2) {
-        k3 = t->funn[i] - 2;
+      is_k2_2 = k2 > t->funn[i] - 2;
+      if (is_k2_2) {
+        k2 = t->funn[i] - 2;
       }
-      is_k3_3 = MAGGI_RE(time) <= MAGGI_RE(p[k + k3]);
+      is_k2_3 = MAGGI_RE(time) <= MAGGI_RE(p[t->funadr[i] + k2]);
       /* y0 + (y1 - y0) (10 x^3 - 15 x^4 + 6 x^5), x = (t - t0) / (t1 - t0) */
-      if (is_k3_3) {
-        funb[i][2] = 0.0;
-        funb[i][1] = 0.0;
-        pb[k + t->funn[i] + k3] += funb[i][0];
-        funb[i][0] = 0.0;
+      if (is_k2_3) {
+        f2b = 0.0;
+        f1b = 0.0;
+        pb[t->funadr[i] + t->funn[i] + k2] += f0b;
+        f0b = 0.0;
       } else {
-        is_k3_4 = MAGGI_RE(time) >= MAGGI_RE(p[k + k3 + 1]);
-        if (is_k3_4) {
-          funb[i][2] = 0.0;
-          funb[i][1] = 0.0;
-          pb[k + t->funn[i] + k3 + 1] += funb[i][0];
-          funb[i][0] = 0.0;
+        is_k2_4 = MAGGI_RE(time) >= MAGGI_RE(p[t->funadr[i] + k2 + 1]);
+        if (is_k2_4) {
+          f2b = 0.0;
+          f1b = 0.0;
+          pb[t->funadr[i] + t->funn[i] + k2 + 1] += f0b;
+          f0b = 0.0;
         } else {
-          p_kk3 = p[k + k3];
-          h2 = p[k + k3 + 1] - p_kk3;
-          x2 = (time - p_kk3) / h2;
-          p_kik3 = p[k + t->funn[i] + k3];
-          p_kik31 = p[k + t->funn[i] + k3 + 1];
-          t10 = (p_kik31 - p_kik3) / h2;
+          p_ik2 = p[t->funadr[i] + k2];
+          h2 = p[t->funadr[i] + k2 + 1] - p_ik2;
+          x2 = (time - p_ik2) / h2;
+          p_iik2 = p[t->funadr[i] + t->funn[i] + k2];
+          p_iik21 = p[t->funadr[i] + t->funn[i] + k2 + 1];
+          t10 = (p_iik21 - p_iik2) / h2;
           t11 = h2 * h2;
-          t12 = (p_kik31 - p_kik3) / t11;
-          tb37 = funb[i][2];
-          funb[i][2] = 0.0;
-          tb38 = tb37 * (1.0 + x2 * (-3.0 + 2.0 * x2));
-          t12b = tb38 * x2 * 60.0;
-          x2b = tb38 * (t12 * 60.0);
-          tb39 = tb37 * (t12 * 60.0 * x2);
-          x2b += tb39 * (-3.0 + 2.0 * x2);
-          x2b += tb39 * x2 * 2.0;
-          tb36 = t12b / t11;
-          p_kik31b = tb36;
-          p_kik3b = -tb36;
-          t11b = -(tb36 * t12);
+          t12 = (p_iik21 - p_iik2) / t11;
+          tb29 = f2b * (1.0 + x2 * (-3.0 + 2.0 * x2));
+          t12b = tb29 * x2 * 60.0;
+          x2b = tb29 * (t12 * 60.0);
+          tb30 = f2b * (t12 * 60.0 * x2);
+          x2b += tb30 * (-3.0 + 2.0 * x2);
+          x2b += tb30 * x2 * 2.0;
+          f2b = 0.0;
+          tb28 = t12b / t11;
+          p_iik21b = tb28;
+          p_iik2b = -tb28;
+          t11b = -(tb28 * t12);
           h2b = t11b * h2;
           h2b += t11b * h2;
-          tb32 = funb[i][1];
-          funb[i][1] = 0.0;
-          tb33 = tb32 * (1.0 + x2 * (-2.0 + x2));
-          tb34 = tb33 * x2;
-          t10b = tb34 * x2 * 30.0;
-          x2b += tb34 * (t10 * 30.0);
-          x2b += tb33 * (t10 * 30.0 * x2);
-          tb35 = tb32 * (t10 * 30.0 * x2 * x2);
-          x2b += tb35 * (-2.0 + x2);
-          x2b += tb35 * x2;
-          tb31 = t10b / h2;
-          p_kik31b += tb31;
-          p_kik3b -= tb31;
-          h2b -= tb31 * t10;
-          tb25 = funb[i][0];
-          funb[i][0] = 0.0;
-          p_kik3b += tb25;
-          tb26 = tb25 * (10.0 + x2 * (-15.0 + 6.0 * x2));
-          tb27 = tb26 * x2;
-          tb28 = tb27 * x2;
-          tb29 = tb28 * x2;
-          p_kik31b += tb29;
-          p_kik3b -= tb29;
-          x2b += tb28 * (p_kik31 - p_kik3);
-          x2b += tb27 * ((p_kik31 - p_kik3) * x2);
-          x2b += tb26 * ((p_kik31 - p_kik3) * x2 * x2);
-          tb30 = tb25 * ((p_kik31 - p_kik3) * x2 * x2 * x2);
-          x2b += tb30 * (-15.0 + 6.0 * x2);
-          x2b += tb30 * x2 * 6.0;
-          pb[k + t->funn[i] + k3 + 1] += p_kik31b;
-          pb[k + t->funn[i] + k3] += p_kik3b;
-          tb24 = x2b / h2;
-          p_kk3b = -tb24;
-          h2b -= tb24 * x2;
-          pb[k + k3 + 1] += h2b;
-          p_kk3b -= h2b;
-          pb[k + k3] += p_kk3b;
+          tb25 = f1b * (1.0 + x2 * (-2.0 + x2));
+          tb26 = tb25 * x2;
+          t10b = tb26 * x2 * 30.0;
+          x2b += tb26 * (t10 * 30.0);
+          x2b += tb25 * (t10 * 30.0 * x2);
+          tb27 = f1b * (t10 * 30.0 * x2 * x2);
+          x2b += tb27 * (-2.0 + x2);
+          x2b += tb27 * x2;
+          f1b = 0.0;
+          tb24 = t10b / h2;
+          p_iik21b += tb24;
+          p_iik2b -= tb24;
+          h2b -= tb24 * t10;
+          p_iik2b += f0b;
+          tb19 = f0b * (10.0 + x2 * (-15.0 + 6.0 * x2));
+          tb20 = tb19 * x2;
+          tb21 = tb20 * x2;
+          tb22 = tb21 * x2;
+          p_iik21b += tb22;
+          p_iik2b -= tb22;
+          x2b += tb21 * (p_iik21 - p_iik2);
+          x2b += tb20 * ((p_iik21 - p_iik2) * x2);
+          x2b += tb19 * ((p_iik21 - p_iik2) * x2 * x2);
+          tb23 = f0b * ((p_iik21 - p_iik2) * x2 * x2 * x2);
+          x2b += tb23 * (-15.0 + 6.0 * x2);
+          x2b += tb23 * x2 * 6.0;
+          f0b = 0.0;
+          pb[t->funadr[i] + t->funn[i] + k2 + 1] += p_iik21b;
+          pb[t->funadr[i] + t->funn[i] + k2] += p_iik2b;
+          tb18 = x2b / h2;
+          p_ik2b = -tb18;
+          h2b -= tb18 * x2;
+          pb[t->funadr[i] + k2 + 1] += h2b;
+          p_ik2b -= h2b;
+          pb[t->funadr[i] + k2] += p_ik2b;
         }
       }
     } else {
-      k4 = piece_nodiff(t->np, p, k, t->funn[i], time);
-      if (k4 < 0) {
-        p_k4 = p[k];
-        h3 = p[k + 1] - p_k4;
-        p_ki = p[k + t->funn[i]];
-        t13 = (p[k + t->funn[i] + 1] - p_ki) / h3;
+      k3 = piece_nodiff(t->np, p, t->funadr[i], t->funn[i], time);
+      if (k3 < 0) {
+        p_i4 = p[t->funadr[i]];
+        h3 = p[t->funadr[i] + 1] - p_i4;
+        p_ii = p[t->funadr[i] + t->funn[i]];
+        t13 = (p[t->funadr[i] + t->funn[i] + 1] - p_ii) / h3;
         slope = t13 - h3 / 6.0 * (2.0 * spline0[t->funspline[i]][0] + spline0[t->funspline[i] +
             1][0]);
-        funb[i][2] = 0.0;
-        slopeb = funb[i][1];
-        funb[i][1] = 0.0;
-        tb42 = funb[i][0];
-        funb[i][0] = 0.0;
-        p_kib = tb42;
-        slopeb += tb42 * (time - p_k4);
-        p_k4b = -(tb42 * slope);
+        f2b = 0.0;
+        slopeb = f1b;
+        f1b = 0.0;
+        p_iib = f0b;
+        slopeb += f0b * (time - p_i4);
+        p_i4b = -(f0b * slope);
+        f0b = 0.0;
         t13b = slopeb;
         h3b = -(slopeb * (2.0 * spline0[t->funspline[i]][0] + spline0[t->funspline[i] + 1][0]) /
             6.0);
-        tb41 = slopeb * (h3 / 6.0);
-        spline0b[t->funspline[i]][0] -= tb41 * 2.0;
-        spline0b[t->funspline[i] + 1][0] -= tb41;
-        tb40 = t13b / h3;
-        pb[k + t->funn[i] + 1] += tb40;
-        p_kib -= tb40;
-        h3b -= tb40 * t13;
-        pb[k + t->funn[i]] += p_kib;
-        pb[k + 1] += h3b;
-        p_k4b -= h3b;
-        pb[k] += p_k4b;
-      } else if (k4 > t->funn[i] - 2) {
-        p_ki1 = p[k + t->funn[i] - 1];
-        h3_2 = p_ki1 - p[k + t->funn[i] - 2];
-        p_kii1 = p[k + t->funn[i] + t->funn[i] - 1];
-        t14 = (p_kii1 - p[k + t->funn[i] + t->funn[i] - 2]) / h3_2;
+        tb32 = slopeb * (h3 / 6.0);
+        spline0b[t->funspline[i]][0] -= tb32 * 2.0;
+        spline0b[t->funspline[i] + 1][0] -= tb32;
+        tb31 = t13b / h3;
+        pb[t->funadr[i] + t->funn[i] + 1] += tb31;
+        p_iib -= tb31;
+        h3b -= tb31 * t13;
+        pb[t->funadr[i] + t->funn[i]] += p_iib;
+        pb[t->funadr[i] + 1] += h3b;
+        p_i4b -= h3b;
+        pb[t->funadr[i]] += p_i4b;
+      } else if (k3 > t->funn[i] - 2) {
+        p_ii1 = p[t->funadr[i] + t->funn[i] - 1];
+        h3_2 = p_ii1 - p[t->funadr[i] + t->funn[i] - 2];
+        p_iii1 = p[t->funadr[i] + t->funn[i] + t->funn[i] - 1];
+        t14 = (p_iii1 - p[t->funadr[i] + t->funn[i] + t->funn[i] - 2]) / h3_2;
         slope2 = t14 + h3_2 / 6.0 * (spline0[t->funspline[i] + t->funn[i] - 2][0] + 2.0 *
             spline0[t->funspline[i] + t->funn[i] - 1][0]);
-        funb[i][2] = 0.0;
-        slope2b = funb[i][1];
-        funb[i][1] = 0.0;
-        tb45 = funb[i][0];
-        funb[i][0] = 0.0;
-        p_kii1b = tb45;
-        slope2b += tb45 * (time - p_ki1);
-        p_ki1b = -(tb45 * slope2);
+        f2b = 0.0;
+        slope2b = f1b;
+        f1b = 0.0;
+        p_iii1b = f0b;
+        slope2b += f0b * (time - p_ii1);
+        p_ii1b = -(f0b * slope2);
+        f0b = 0.0;
         t14b = slope2b;
         h3_2b = slope2b * (spline0[t->funspline[i] + t->funn[i] - 2][0] + 2.0 *
             spline0[t->funspline[i] + t->funn[i] - 1][0]) / 6.0;
-        tb44 = slope2b * (h3_2 / 6.0);
-        spline0b[t->funspline[i] + t->funn[i] - 2][0] += tb44;
-        spline0b[t->funspline[i] + t->funn[i] - 1][0] += tb44 * 2.0;
-        tb43 = t14b / h3_2;
-        p_kii1b += tb43;
-        pb[k + t->funn[i] + t->funn[i] - 2] -= tb43;
-        h3_2b -= tb43 * t14;
-        pb[k + t->funn[i] + t->funn[i] - 1] += p_kii1b;
-        p_ki1b += h3_2b;
-        pb[k + t->funn[i] - 2] -= h3_2b;
-        pb[k + t->funn[i] - 1] += p_ki1b;
+        tb34 = slope2b * (h3_2 / 6.0);
+        spline0b[t->funspline[i] + t->funn[i] - 2][0] += tb34;
+        spline0b[t->funspline[i] + t->funn[i] - 1][0] += tb34 * 2.0;
+        tb33 = t14b / h3_2;
+        p_iii1b += tb33;
+        pb[t->funadr[i] + t->funn[i] + t->funn[i] - 2] -= tb33;
+        h3_2b -= tb33 * t14;
+        pb[t->funadr[i] + t->funn[i] + t->funn[i] - 1] += p_iii1b;
+        p_ii1b += h3_2b;
+        pb[t->funadr[i] + t->funn[i] - 2] -= h3_2b;
+        pb[t->funadr[i] + t->funn[i] - 1] += p_ii1b;
       } else {
-        p_kk41 = p[k + k4 + 1];
-        p_kk4 = p[k + k4];
-        h3_3 = p_kk41 - p_kk4;
-        a = p_kk41 - time;
-        c2 = time - p_kk4;
-        p_kik4 = p[k + t->funn[i] + k4];
-        t15 = (p[k + t->funn[i] + k4 + 1] - p_kik4) / h3_3;
-        spline0_ik410 = spline0[t->funspline[i] + k4 + 1][0];
-        spline0_ik40 = spline0[t->funspline[i] + k4][0];
-        e = t15 - h3_3 / 6.0 * (spline0_ik410 - spline0_ik40);
+        p_ik31 = p[t->funadr[i] + k3 + 1];
+        p_ik3 = p[t->funadr[i] + k3];
+        h3_3 = p_ik31 - p_ik3;
+        a = p_ik31 - time;
+        c2 = time - p_ik3;
+        p_iik3 = p[t->funadr[i] + t->funn[i] + k3];
+        t15 = (p[t->funadr[i] + t->funn[i] + k3 + 1] - p_iik3) / h3_3;
+        spline0_ik310 = spline0[t->funspline[i] + k3 + 1][0];
+        spline0_ik30 = spline0[t->funspline[i] + k3][0];
+        e = t15 - h3_3 / 6.0 * (spline0_ik310 - spline0_ik30);
         t16 = 6.0 * h3_3;
-        t17 = (spline0_ik40 * a * a * a + spline0_ik410 * c2 * c2 * c2) / t16;
+        t17 = (spline0_ik30 * a * a * a + spline0_ik310 * c2 * c2 * c2) / t16;
         t18 = 2.0 * h3_3;
-        t19 = (spline0_ik410 * c2 * c2 - spline0_ik40 * a * a) / t18;
-        t20 = (spline0_ik40 * a + spline0_ik410 * c2) / h3_3;
-        t20b = funb[i][2];
-        funb[i][2] = 0.0;
-        tb60 = t20b / h3_3;
-        spline0_ik40b = tb60 * a;
-        ab = tb60 * spline0_ik40;
-        spline0_ik410b = tb60 * c2;
-        c2b = tb60 * spline0_ik410;
-        h3_3b = -(tb60 * t20);
-        tb59 = funb[i][1];
-        funb[i][1] = 0.0;
-        t19b = tb59;
-        eb = tb59;
-        tb56 = t19b / t18;
-        tb57 = tb56 * c2;
-        spline0_ik410b += tb57 * c2;
-        c2b += tb57 * spline0_ik410;
-        c2b += tb56 * (spline0_ik410 * c2);
-        tb58 = tb56 * a;
-        spline0_ik40b -= tb58 * a;
-        ab -= tb58 * spline0_ik40;
-        ab -= tb56 * (spline0_ik40 * a);
-        t18b = -(tb56 * t19);
+        t19 = (spline0_ik310 * c2 * c2 - spline0_ik30 * a * a) / t18;
+        t20 = (spline0_ik30 * a + spline0_ik310 * c2) / h3_3;
+        t20b = f2b;
+        f2b = 0.0;
+        tb47 = t20b / h3_3;
+        spline0_ik30b = tb47 * a;
+        ab = tb47 * spline0_ik30;
+        spline0_ik310b = tb47 * c2;
+        c2b = tb47 * spline0_ik310;
+        h3_3b = -(tb47 * t20);
+        t19b = f1b;
+        eb = f1b;
+        f1b = 0.0;
+        tb44 = t19b / t18;
+        tb45 = tb44 * c2;
+        spline0_ik310b += tb45 * c2;
+        c2b += tb45 * spline0_ik310;
+        c2b += tb44 * (spline0_ik310 * c2);
+        tb46 = tb44 * a;
+        spline0_ik30b -= tb46 * a;
+        ab -= tb46 * spline0_ik30;
+        ab -= tb44 * (spline0_ik30 * a);
+        t18b = -(tb44 * t19);
         h3_3b += t18b * 2.0;
-        tb53 = funb[i][0];
-        funb[i][0] = 0.0;
-        t17b = tb53;
-        p_kik4b = tb53;
-        tb54 = tb53 / 6.0;
-        tb55 = tb54 * h3_3;
-        spline0_ik40b -= tb55 * h3_3;
-        h3_3b -= tb55 * spline0_ik40;
-        h3_3b -= tb54 * (spline0_ik40 * h3_3);
-        eb += tb53 * c2;
-        c2b += tb53 * e;
-        tb48 = t17b / t16;
-        tb49 = tb48 * a;
-        tb50 = tb49 * a;
-        spline0_ik40b += tb50 * a;
-        ab += tb50 * spline0_ik40;
-        ab += tb49 * (spline0_ik40 * a);
-        ab += tb48 * (spline0_ik40 * a * a);
-        tb51 = tb48 * c2;
-        tb52 = tb51 * c2;
-        spline0_ik410b += tb52 * c2;
-        c2b += tb52 * spline0_ik410;
-        c2b += tb51 * (spline0_ik410 * c2);
-        c2b += tb48 * (spline0_ik410 * c2 * c2);
-        t16b = -(tb48 * t17);
+        t17b = f0b;
+        p_iik3b = f0b;
+        tb42 = f0b / 6.0;
+        tb43 = tb42 * h3_3;
+        spline0_ik30b -= tb43 * h3_3;
+        h3_3b -= tb43 * spline0_ik30;
+        h3_3b -= tb42 * (spline0_ik30 * h3_3);
+        eb += f0b * c2;
+        c2b += f0b * e;
+        f0b = 0.0;
+        tb37 = t17b / t16;
+        tb38 = tb37 * a;
+        tb39 = tb38 * a;
+        spline0_ik30b += tb39 * a;
+        ab += tb39 * spline0_ik30;
+        ab += tb38 * (spline0_ik30 * a);
+        ab += tb37 * (spline0_ik30 * a * a);
+        tb40 = tb37 * c2;
+        tb41 = tb40 * c2;
+        spline0_ik310b += tb41 * c2;
+        c2b += tb41 * spline0_ik310;
+        c2b += tb40 * (spline0_ik310 * c2);
+        c2b += tb37 * (spline0_ik310 * c2 * c2);
+        t16b = -(tb37 * t17);
         h3_3b += t16b * 6.0;
         t15b = eb;
-        h3_3b -= eb * (spline0_ik410 - spline0_ik40) / 6.0;
-        tb47 = eb * (h3_3 / 6.0);
-        spline0_ik410b -= tb47;
-        spline0_ik40b += tb47;
-        spline0b[t->funspline[i] + k4][0] += spline0_ik40b;
-        spline0b[t->funspline[i] + k4 + 1][0] += spline0_ik410b;
-        tb46 = t15b / h3_3;
-        pb[k + t->funn[i] + k4 + 1] += tb46;
-        p_kik4b -= tb46;
-        h3_3b -= tb46 * t15;
-        pb[k + t->funn[i] + k4] += p_kik4b;
-        p_kk4b = -c2b;
-        p_kk41b = ab;
-        p_kk41b += h3_3b;
-        p_kk4b -= h3_3b;
-        pb[k + k4] += p_kk4b;
-        pb[k + k4 + 1] += p_kk41b;
+        h3_3b -= eb * (spline0_ik310 - spline0_ik30) / 6.0;
+        tb36 = eb * (h3_3 / 6.0);
+        spline0_ik310b -= tb36;
+        spline0_ik30b += tb36;
+        spline0b[t->funspline[i] + k3][0] += spline0_ik30b;
+        spline0b[t->funspline[i] + k3 + 1][0] += spline0_ik310b;
+        tb35 = t15b / h3_3;
+        pb[t->funadr[i] + t->funn[i] + k3 + 1] += tb35;
+        p_iik3b -= tb35;
+        h3_3b -= tb35 * t15;
+        pb[t->funadr[i] + t->funn[i] + k3] += p_iik3b;
+        p_ik3b = -c2b;
+        p_ik31b = ab;
+        p_ik31b += h3_3b;
+        p_ik3b -= h3_3b;
+        pb[t->funadr[i] + k3] += p_ik3b;
+        pb[t->funadr[i] + k3 + 1] += p_ik31b;
       }
     }
   }

@@ -897,6 +897,57 @@ static void element_forces_call_b_d(const maggi_topo *t, double *x[], double *xd
                            (void *)xd[10], (void *)xb[10], (void *)xbd[10], (void *)x[11]);
 }
 
+static int size_ntyre_5(const maggi_topo *t)
+{
+  return t->ntyre * 5;
+}
+
+static int size_ntyre_6(const maggi_topo *t)
+{
+  return t->ntyre * 6;
+}
+
+static const maggi_head_argument tyres_arguments[] = {
+    {"p", MAGGI_HEAD_INPUT, size_np},
+    {"slip", MAGGI_HEAD_INPUT, size_ntyre_5},
+    {"f", MAGGI_HEAD_OUTPUT, size_ntyre_6},
+};
+
+static void tyres_call(const maggi_topo *t, double *x[])
+{
+  maggi_tyres(t, (void *)x[0], (void *)x[1], (void *)x[2]);
+}
+
+static void tyres_call_d(const maggi_topo *t, double *x[], double *xd[])
+{
+  maggi_tyres_d(t, (void *)x[0], (void *)xd[0], (void *)x[1], (void *)xd[1], (void *)x[2],
+                (void *)xd[2]);
+}
+
+#ifndef MAGGI_COMPLEX
+static void tyres_call_dv(const maggi_topo *t, double *x[], double *xd[])
+{
+  maggi_tyres_dv(t, (void *)x[0], (void *)xd[0], (void *)x[1], (void *)xd[1], (void *)x[2],
+                 (void *)xd[2], MAGGI_NDIR);
+}
+#else
+#define tyres_call_dv NULL
+#endif
+
+static void tyres_call_b(const maggi_topo *t, double *x[], double *xb[])
+{
+  maggi_tyres_b(t, (void *)x[0], (void *)xb[0], (void *)x[1], (void *)xb[1], (void *)x[2],
+                (void *)xb[2]);
+}
+
+static void tyres_call_b_d(const maggi_topo *t, double *x[], double *xd[], double *xb[],
+                           double *xbd[])
+{
+  maggi_tyres_b_d(t, (void *)x[0], (void *)xd[0], (void *)xb[0], (void *)xbd[0], (void *)x[1],
+                  (void *)xd[1], (void *)xb[1], (void *)xbd[1], (void *)x[2], (void *)xd[2],
+                  (void *)xb[2], (void *)xbd[2]);
+}
+
 static const maggi_head_argument body_inertias_arguments[] = {
     {"body0", MAGGI_HEAD_INPUT, size_nbody_10},
     {"A", MAGGI_HEAD_INPUT, size_nbody_1_9},
@@ -1422,6 +1473,8 @@ const maggi_head maggi_heads[] = {
       loop_gamma_call_dv, loop_gamma_call_b, loop_gamma_call_b_d},
   {"maggi_element_forces", 12, element_forces_arguments, element_forces_call, element_forces_call_d,
       element_forces_call_dv, element_forces_call_b, element_forces_call_b_d},
+  {"maggi_tyres", 3, tyres_arguments, tyres_call, tyres_call_d, tyres_call_dv, tyres_call_b,
+      tyres_call_b_d},
   {"maggi_body_inertias", 4, body_inertias_arguments, body_inertias_call, body_inertias_call_d,
       body_inertias_call_dv, body_inertias_call_b, body_inertias_call_b_d},
   {"maggi_inertia_forces", 4, inertia_forces_arguments, inertia_forces_call, inertia_forces_call_d,
@@ -1446,4 +1499,4 @@ const maggi_head maggi_heads[] = {
       potential_energy_call_b_d},
 };
 
-const int maggi_nhead = 27;
+const int maggi_nhead = 28;

@@ -689,6 +689,27 @@ void maggi_element_forces_b_d(const maggi_topo *t, const double p[restrict t->np
                               double taud[restrict t->nq], double taub[restrict t->nq],
                               double taubd[restrict t->nq], double power[restrict 1]);
 
+void maggi_tyres_d(const maggi_topo *t, const double p[restrict t->np],
+                   const double pd[restrict t->np], const double slip[restrict t->ntyre][5],
+                   const double slipd[restrict t->ntyre][5], double f[restrict t->ntyre][6],
+                   double fd[restrict t->ntyre][6]);
+void maggi_tyres_dv(const maggi_topo *t, const double p[restrict t->np],
+                    const double pd[restrict t->np][MAGGI_NDIR],
+                    const double slip[restrict t->ntyre][5],
+                    const double slipd[restrict t->ntyre][5][MAGGI_NDIR],
+                    double f[restrict t->ntyre][6], double fd[restrict t->ntyre][6][MAGGI_NDIR],
+                    int nbdirs);
+void maggi_tyres_b(const maggi_topo *t, const double p[restrict t->np], double pb[restrict t->np],
+                   const double slip[restrict t->ntyre][5], double slipb[restrict t->ntyre][5],
+                   double f[restrict t->ntyre][6], double fb[restrict t->ntyre][6]);
+void maggi_tyres_b_d(const maggi_topo *t, const double p[restrict t->np],
+                     const double pd[restrict t->np], double pb[restrict t->np],
+                     double pbd[restrict t->np], const double slip[restrict t->ntyre][5],
+                     const double slipd[restrict t->ntyre][5], double slipb[restrict t->ntyre][5],
+                     double slipbd[restrict t->ntyre][5], double f[restrict t->ntyre][6],
+                     double fd[restrict t->ntyre][6], double fb[restrict t->ntyre][6],
+                     double fbd[restrict t->ntyre][6]);
+
 void maggi_body_inertias_d(const maggi_topo *t, const double body0[restrict t->nbody][10],
                            const double body0d[restrict t->nbody][10],
                            const double A[restrict t->nbody + 1][9],

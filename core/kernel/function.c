@@ -138,27 +138,40 @@ static void sine(double amplitude, double omega, double phase, double offset, do
   f[2] = -amplitude * omega * omega * s;
 }
 
+/* of one function */
+static void value(int kind, int np, const double p[np], int k, int n, int madr, int nspline,
+                  const double m[nspline][3], double time, double f[3])
+{
+  if (kind == MAGGI_FUNCTION_CONSTANT) {
+    f[0] = p[k];
+    f[1] = 0.0;
+    f[2] = 0.0;
+  } else if (kind == MAGGI_FUNCTION_POLYNOMIAL) {
+    polynomial(np, p, k, n, time, f);
+  } else if (kind == MAGGI_FUNCTION_SINE) {
+    sine(p[k], p[k + 1], p[k + 2], p[k + 3], time, f);
+  } else if (kind == MAGGI_FUNCTION_STEP) {
+    quintic(time, p[k], p[k + 1], p[k + 2], p[k + 3], f);
+  } else if (kind == MAGGI_FUNCTION_KNOTS) {
+    knots(np, p, k, n, time, f);
+  } else {
+    spline_value(np, p, k, n, madr, nspline, m, time, f);
+  }
+}
+
 void maggi_functions(const maggi_topo *t, const double p[t->np],
                      const double spline0[t->nspline][3], double time, double fun[t->nfun][3])
 {
-  int i, k;
+  int i;
+  double moves;
+  double f[3];
 
   for (i = 0; i < t->nfun; ++i) {
-    k = t->funadr[i];
-    if (t->funkind[i] == MAGGI_FUNCTION_CONSTANT) {
-      fun[i][0] = p[k];
-      fun[i][1] = 0.0;
-      fun[i][2] = 0.0;
-    } else if (t->funkind[i] == MAGGI_FUNCTION_POLYNOMIAL) {
-      polynomial(t->np, p, k, t->funn[i], time, fun[i]);
-    } else if (t->funkind[i] == MAGGI_FUNCTION_SINE) {
-      sine(p[k], p[k + 1], p[k + 2], p[k + 3], time, fun[i]);
-    } else if (t->funkind[i] == MAGGI_FUNCTION_STEP) {
-      quintic(time, p[k], p[k + 1], p[k + 2], p[k + 3], fun[i]);
-    } else if (t->funkind[i] == MAGGI_FUNCTION_KNOTS) {
-      knots(t->np, p, k, t->funn[i], time, fun[i]);
-    } else {
-      spline_value(t->np, p, k, t->funn[i], t->funspline[i], t->nspline, spline0, time, fun[i]);
-    }
+    moves = t->funheld[i] ? 0.0 : 1.0;
+    value(t->funkind[i], t->np, p, t->funadr[i], t->funn[i], t->funspline[i], t->nspline, spline0,
+          time, f);
+    fun[i][0] = f[0];
+    fun[i][1] = moves * f[1];
+    fun[i][2] = moves * f[2];
   }
 }

@@ -133,7 +133,16 @@ void maggi_spring(int adr, int preload, int withslopes, int np, const double p[n
 void maggi_joint_spring(int a, int b, int adr, int np, const double p[np], int nq,
                         const double q[nq], const double v[nq], double z[2], double torque[1]);
 
-/* element.c: springs, dampers, loads; Q on bodies, tau on coordinates, power of what dissipates or
+/* tyre.c: the formula of a tyre; of all of them; slip and forces of a wheel */
+void maggi_tyre(int adr, int np, const double p[np], const double slip[5], double f[6]);
+void maggi_tyres(const maggi_topo *t, const double p[t->np], const double slip[t->ntyre][5],
+                 double f[t->ntyre][6]);
+void maggi_wheel(int axis, int adr, int mirror, int grip, int kind, int roadadr, int np,
+                 const double p[np], const double A[9], const double Z[6], const double Zc[6],
+                 const double c[3], const double cv[3], const double road[3], double slip[5],
+                 double f[6], double arm[3], double T[3], double L[3], double N[3]);
+
+/* element.c: springs, dampers, loads, wheels; Q on bodies, tau on coordinates, power of what dissipates or
  * feeds energy */
 void maggi_element_forces(const maggi_topo *t, const double p[t->np], const double fun[t->nfun][3],
                           const double spring0[t->nspring], const double q[t->nq],

@@ -1,5 +1,5 @@
-/* Sensors, three numbers each: motion of body points in global axes, rotation of bodies, springs and
- * rods. */
+/* Sensors, three numbers each: motion of body points in global axes, rotation of bodies, springs,
+ * rods and wheels. */
 #include "kernel.h"
 #include "maggi/maggi.h"
 
@@ -41,6 +41,23 @@ static void span(const double ra[3], const double rb[3], const double va[3], con
   z[1] = maggi_dot(e, ev) / l;
 }
 
+static void wheel_columns(int kind, const double slip[5], const double f[6], double s[3])
+{
+  if (kind == MAGGI_SENSOR_TYRE_SLIP) {
+    s[0] = slip[0];
+    s[1] = atan(slip[1]);
+    s[2] = slip[2];
+  } else if (kind == MAGGI_SENSOR_TYRE_FORCE) {
+    s[0] = f[0];
+    s[1] = f[1];
+    s[2] = f[2];
+  } else {
+    s[0] = f[3];
+    s[1] = f[4];
+    s[2] = f[5];
+  }
+}
+
 /* ra and Za carry minus gravity; p begins with gravity */
 void maggi_sensors(const maggi_topo *t, const double p[t->np], const double origin[3],
                    const double spring0[t->nspring], const double q[t->nq], const double v[t->nq],
@@ -51,7 +68,7 @@ void maggi_sensors(const maggi_topo *t, const double p[t->np], const double orig
                    double s[t->nsensor][3])
 {
   int i, j, k, n, a, b;
-  double u[3], z[2], f[2], torque[1];
+  double u[3], z[2], f[2], torque[1], slip[5], rolling[6], arm[3], T[3], L[3], N[3];
 
   for (i = 0; i < t->nsensor; ++i) {
     j = t->sensorbody[i];
@@ -95,13 +112,22 @@ void maggi_sensors(const maggi_topo *t, const double p[t->np], const double orig
       s[i][0] = z[0];
       s[i][1] = z[1];
       s[i][2] = torque[0];
-    } else {
+    } else if (t->sensorkind[i] == MAGGI_SENSOR_ROD) {
       a = t->primpa[n];
       b = t->primpb[n];
       span(r[a], r[b], rv[a], rv[b], z);
       s[i][0] = z[0];
       s[i][1] = z[1];
       s[i][2] = lambda[t->primrow[n]];
+    } else {
+      a = t->wheelpoint[n];
+      b = t->wheelroad[n];
+      j = t->wheelbody[n];
+      k = t->wheelcarrier[n];
+      maggi_wheel(t->wheelaxis[n], t->tyreadr[t->wheeltyre[n]], t->wheelmirror[n], t->wheelgrip[n],
+                  t->roadkind[b], t->roadadr[b], t->np, p, A[j], Z[j], Z[k], r[a], rv[a],
+                  r[t->roadpoint[b]], slip, rolling, arm, T, L, N);
+      wheel_columns(t->sensorkind[i], slip, rolling, s[i]);
     }
   }
 }

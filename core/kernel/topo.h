@@ -75,6 +75,9 @@ enum { MAGGI_DRAG_RHO, MAGGI_DRAG_C, MAGGI_DRAG_AREA, MAGGI_DRAG_LOW, MAGGI_DRAG
   X(nspring, "springs between points")                                                             \
   X(njspring, "springs on coordinates")                                                            \
   X(nforce, "loads")                                                                               \
+  X(ntyre, "tyres: sets of numbers")                                                               \
+  X(nroad, "roads")                                                                                \
+  X(nwheel, "wheels")                                                                              \
   X(nfun, "functions of time")                                                                     \
   X(nspline, "second derivatives of all splines")                                                  \
   X(nguide, "guided coordinates")                                                                  \
@@ -145,15 +148,28 @@ enum { MAGGI_DRAG_RHO, MAGGI_DRAG_C, MAGGI_DRAG_AREA, MAGGI_DRAG_LOW, MAGGI_DRAG
   X(forceq, nforce, "coordinate, -1 if none")                                                      \
   X(forcefun, nforce, "function, -1: constant")                                                    \
   X(forceadr, nforce, "address of the value, or of the numbers of a drag")                         \
+  X(tyreadr, ntyre, "address: MAGGI_TYRE_..")                                                      \
+  X(roadkind, nroad, "maggi_road_type")                                                            \
+  X(roadadr, nroad, "address of its numbers")                                                      \
+  X(roadpoint, nroad, "point on the ground from which its height counts")                          \
+  X(wheelbody, nwheel, "body that turns")                                                          \
+  X(wheelcarrier, nwheel, "body on which it turns")                                                \
+  X(wheelpoint, nwheel, "centre")                                                                  \
+  X(wheelaxis, nwheel, "address of the axis")                                                      \
+  X(wheeltyre, nwheel, "tyre")                                                                     \
+  X(wheelmirror, nwheel, "1: on the other side than the tyre was measured for")                    \
+  X(wheelroad, nwheel, "road")                                                                     \
+  X(wheelgrip, nwheel, "0: no force but that of its vertical spring")                              \
   X(funkind, nfun, "maggi_function_type")                                                          \
   X(funadr, nfun, "address: times then values, or the scalars")                                    \
   X(funn, nfun, "number of points or coefficients")                                                \
   X(funspline, nfun, "first second derivative of a spline")                                        \
+  X(funheld, nfun, "1: its value alone, rates are zero")                                           \
   X(base, nbase, "bodies of the base chain")                                                       \
   X(sensorkind, nsensor, "maggi_sensor_type")                                                      \
   X(sensorbody, nsensor, "body")                                                                   \
   X(sensorpoint, nsensor, "point")                                                                 \
-  X(sensorelement, nsensor, "spring, spring on coordinates, or building block of a rod")
+  X(sensorelement, nsensor, "spring, spring on coordinates, wheel, or building block of a rod")
 
 #define MAGGI_PLAN_SIZES(X)                                                                        \
   X(nind, "independent coordinates")                                                               \

@@ -120,6 +120,29 @@ static int own_force(maggi_builder *b, maggi_force_def *d)
   return 1;
 }
 
+static int own_tyre(maggi_builder *b, maggi_tyre_def *d)
+{
+  (void)b;
+  (void)d;
+  return 1;
+}
+
+static int own_road(maggi_builder *b, maggi_road_def *d)
+{
+  (void)b;
+  (void)d;
+  return 1;
+}
+
+static int own_wheel(maggi_builder *b, maggi_wheel_def *d)
+{
+  OWN(body);
+  OWN(carrier);
+  OWN(tyre);
+  OWN(road);
+  return 1;
+}
+
 static int own_function(maggi_builder *b, maggi_function_def *d)
 {
   if (d->type == MAGGI_FUNCTION_CONSTANT)
@@ -170,6 +193,9 @@ static void *grown(void *array, int n, int *capacity, size_t size)
 #define SCOPE_spring(d)       ""
 #define SCOPE_joint_spring(d) ""
 #define SCOPE_force(d)        ""
+#define SCOPE_tyre(d)         ""
+#define SCOPE_road(d)         ""
+#define SCOPE_wheel(d)        ""
 #define SCOPE_function(d)     ""
 #define SCOPE_sensor(d)       ""
 #define SCOPE_objective(d)    ""
@@ -275,6 +301,29 @@ void maggi_joint_spring_def_init(maggi_joint_spring_def *def)
 void maggi_force_def_init(maggi_force_def *def)
 {
   memset(def, 0, sizeof *def);
+}
+
+void maggi_tyre_def_init(maggi_tyre_def *def)
+{
+  static const double values[MAGGI_TYRE_NUMBERS] = {
+#define X(name, key, unit, value, bound) value,
+      MAGGI_TYRE_LIST(X)
+#undef X
+  };
+
+  memset(def, 0, sizeof *def);
+  memcpy(def->value, values, sizeof values);
+}
+
+void maggi_road_def_init(maggi_road_def *def)
+{
+  memset(def, 0, sizeof *def);
+}
+
+void maggi_wheel_def_init(maggi_wheel_def *def)
+{
+  memset(def, 0, sizeof *def);
+  def->axis[1] = 1.0;
 }
 
 void maggi_function_def_init(maggi_function_def *def)

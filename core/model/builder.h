@@ -16,6 +16,9 @@ enum { MAGGI_MESSAGE_SIZE = 512 };
   X(spring, springs)                                                                               \
   X(joint_spring, joint_springs)                                                                   \
   X(force, forces)                                                                                 \
+  X(tyre, tyres)                                                                                   \
+  X(road, roads)                                                                                   \
+  X(wheel, wheels)                                                                                 \
   X(function, functions)                                                                           \
   X(sensor, sensors)                                                                               \
   X(objective, objectives)                                                                         \

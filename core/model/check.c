@@ -216,6 +216,43 @@ maggi_status maggi_check_force(maggi_builder *b, const maggi_force_def *d)
   return MAGGI_OK;
 }
 
+maggi_status maggi_check_tyre(maggi_builder *b, const maggi_tyre_def *d)
+{
+  static const char *const keys[MAGGI_TYRE_NUMBERS] = {
+#define X(name, key, unit, value, bound) #key,
+      MAGGI_TYRE_LIST(X)
+#undef X
+  };
+  int i;
+
+  REQUIRE(d->side == MAGGI_LEFT || d->side == MAGGI_RIGHT, "tyres", d->name,
+          "side %d does not exist", (int)d->side);
+  for (i = 0; i < MAGGI_TYRE_NUMBERS; ++i) {
+    REQUIRE(!isnan(d->value[i]), "tyres", d->name, "%s is missing", keys[i]);
+    REQUIRE(isfinite(d->value[i]), "tyres", d->name, "%s is not finite", keys[i]);
+  }
+  return MAGGI_OK;
+}
+
+maggi_status maggi_check_road(maggi_builder *b, const maggi_road_def *d)
+{
+  REQUIRE((int)d->type >= 0 && d->type < MAGGI_ROAD_TYPE_COUNT, "roads", d->name,
+          "road type %d does not exist", (int)d->type);
+  REQUIRE(maggi_all_finite(d->point, 3) && isfinite(d->slope) && isfinite(d->amplitude), "roads",
+          d->name, "a number is not finite");
+  return MAGGI_OK;
+}
+
+maggi_status maggi_check_wheel(maggi_builder *b, const maggi_wheel_def *d)
+{
+  REQUIRE(d->side == MAGGI_LEFT || d->side == MAGGI_RIGHT, "wheels", d->name,
+          "side %d does not exist", (int)d->side);
+  REQUIRE(maggi_all_finite(d->point, 3), "wheels", d->name, "point is not finite");
+  REQUIRE(maggi_all_finite(d->axis, 3), "wheels", d->name, "axis is not finite");
+  REQUIRE(!is_zero(d->axis), "wheels", d->name, "axis is zero");
+  return MAGGI_OK;
+}
+
 maggi_status maggi_check_function(maggi_builder *b, const maggi_function_def *d)
 {
   int i, n = d->number;

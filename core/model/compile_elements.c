@@ -1,5 +1,6 @@
-/* Functions of time, springs and loads. */
+/* Functions of time, springs, loads, tyres and wheels. */
 #include <math.h>
+#include <string.h>
 
 #include "compile.h"
 
@@ -57,6 +58,7 @@ maggi_status maggi_compile_functions(maggi_compile *c)
     PUSH(funadr, add_function(c, &b->function[i]));
     PUSH(funn, b->function[i].number);
     PUSH(funspline, c->t->nspline);
+    PUSH(funheld, 0);
     if (b->function[i].type == MAGGI_FUNCTION_SPLINE) c->t->nspline += b->function[i].number;
   }
   c->t->nfun = b->nfunction;
@@ -189,6 +191,73 @@ static maggi_status add_force(maggi_compile *c, const maggi_force_def *d)
   return MAGGI_OK;
 }
 
+static void add_tyre(maggi_compile *c, const maggi_tyre_def *d)
+{
+  PUSH(tyreadr, c->m->nparameter);
+#define X(number, key, unit, initial, bound)                                                       \
+  maggi_parameter_add(c, d->value[MAGGI_TYRE_##number], unit, MAGGI_BOUND_##bound,                 \
+                      "tyres.%s." #key, d->name);
+  MAGGI_TYRE_LIST(X)
+#undef X
+}
+
+static void add_road(maggi_compile *c, const maggi_road_def *d)
+{
+  int adr = maggi_parameter_add3(c, d->point, "m", "roads.%s.point", d->name);
+
+  PUSH(roadkind, d->type);
+  PUSH(roadpoint, maggi_compile_point(c, c->t->nbody, adr));
+  if (d->type == MAGGI_ROAD_FLAT) {
+    PUSH(roadadr, NUMBER(roads, slope, "-", NONE));
+  } else {
+    PUSH(roadadr, NUMBER(roads, amplitude, "m", NONE));
+    NUMBER(roads, wavelength, "m", POSITIVE);
+  }
+}
+
+static maggi_status find_named(maggi_compile *c, const char *wheel, const char *key,
+                               const char *name, int found)
+{
+  if (!name) return maggi_builder_fail(c->b, MAGGI_E_MODEL, "wheels.%s: %s is missing", wheel, key);
+  if (found < 0)
+    return maggi_builder_fail(c->b, MAGGI_E_MODEL, "wheels.%s: %s \"%s\" does not exist", wheel,
+                              key, name);
+  return MAGGI_OK;
+}
+
+static maggi_status add_wheel(maggi_compile *c, const maggi_wheel_def *d)
+{
+  maggi_builder *b = c->b;
+  maggi_status status;
+  int body, carrier, tyre = -1, road = -1, adr, i;
+
+  status = maggi_compile_link(c, "wheels", d->name, "body", d->body, &body);
+  if (status == MAGGI_OK)
+    status = maggi_compile_link(c, "wheels", d->name, "carrier", d->carrier, &carrier);
+  for (i = 0; i < b->ntyre && d->tyre; ++i)
+    if (strcmp(b->tyre[i].name, d->tyre) == 0) tyre = i;
+  for (i = 0; i < b->nroad && d->road; ++i)
+    if (strcmp(b->road[i].name, d->road) == 0) road = i;
+  if (status == MAGGI_OK) status = find_named(c, d->name, "tyre", d->tyre, tyre);
+  if (status == MAGGI_OK) status = find_named(c, d->name, "road", d->road, road);
+  if (status != MAGGI_OK) return status;
+  if (body == c->t->nbody)
+    return maggi_builder_fail(b, MAGGI_E_MODEL, "wheels.%s: body is the ground", d->name);
+  if (body == carrier)
+    return maggi_builder_fail(b, MAGGI_E_MODEL, "wheels.%s: body and carrier are the same body",
+                              d->name);
+  adr = maggi_parameter_add3(c, d->point, "m", "wheels.%s.point", d->name);
+  PUSH(wheelpoint, maggi_compile_point(c, body, adr));
+  PUSH(wheelaxis, maggi_parameter_add3(c, d->axis, "-", "wheels.%s.axis", d->name));
+  PUSH(wheelbody, body);
+  PUSH(wheelcarrier, carrier);
+  PUSH(wheeltyre, tyre);
+  PUSH(wheelmirror, d->side != b->tyre[tyre].side);
+  PUSH(wheelgrip, 1);
+  PUSH(wheelroad, road);
+  return MAGGI_OK;
+}
+
 maggi_status maggi_compile_elements(maggi_compile *c)
 {
   maggi_builder *b = c->b;
@@ -200,6 +269,12 @@ maggi_status maggi_compile_elements(maggi_compile *c)
   for (i = 0; i < b->njoint_spring && status == MAGGI_OK; ++i)
     status = add_joint_spring(c, &b->joint_spring[i]);
   for (i = 0; i < b->nforce && status == MAGGI_OK; ++i) status = add_force(c, &b->force[i]);
+  for (i = 0; i < b->ntyre; ++i) add_tyre(c, &b->tyre[i]);
+  for (i = 0; i < b->nroad; ++i) add_road(c, &b->road[i]);
+  for (i = 0; i < b->nwheel && status == MAGGI_OK; ++i) status = add_wheel(c, &b->wheel[i]);
+  t->ntyre = b->ntyre;
+  t->nroad = b->nroad;
+  t->nwheel = b->nwheel;
   t->nspring = b->nspring;
   t->njspring = b->njoint_spring;
   t->nforce = b->nforce;

@@ -18,7 +18,10 @@ static const titles columns_of[MAGGI_SENSOR_TYPE_COUNT] = {
     [MAGGI_SENSOR_ANGULAR_ACCELERATION] = {{"x", "y", "z"}, {"rad/s^2", "rad/s^2", "rad/s^2"}},
     [MAGGI_SENSOR_SPRING] = {{"length", "rate", "force"}, {"m", "m/s", "N"}},
     [MAGGI_SENSOR_JOINT_SPRING] = {{"value", "rate", "torque"}, {"m", "m/s", "N"}},
-    [MAGGI_SENSOR_ROD] = {{"length", "rate", "force"}, {"m", "m/s", "N"}}};
+    [MAGGI_SENSOR_ROD] = {{"length", "rate", "force"}, {"m", "m/s", "N"}},
+    [MAGGI_SENSOR_TYRE_SLIP] = {{"kappa", "alpha", "gamma"}, {"-", "rad", "rad"}},
+    [MAGGI_SENSOR_TYRE_FORCE] = {{"fx", "fy", "fz"}, {"N", "N", "N"}},
+    [MAGGI_SENSOR_TYRE_MOMENT] = {{"mx", "my", "mz"}, {"N m", "N m", "N m"}}};
 
 static const titles columns_of_angle = {{"value", "rate", "torque"}, {"rad", "rad/s", "N m"}};
 
@@ -39,6 +42,9 @@ static maggi_status find_element(maggi_compile *c, const maggi_sensor_def *d, in
   } else if (d->type == MAGGI_SENSOR_JOINT_SPRING) {
     what = "joint spring";
     FIND(c->b->joint_spring, c->b->njoint_spring, element)
+  } else if (d->type >= MAGGI_SENSOR_TYRE_SLIP) {
+    what = "wheel";
+    FIND(c->b->wheel, c->b->nwheel, element)
   } else {
     FIND(c->b->rod, c->b->nrod, element)
   }

@@ -8,6 +8,7 @@
 
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 enum { PATH_CHARS = 200, TEXT_CHARS = 400 };
@@ -117,6 +118,18 @@ void maggi_load_copy3(double to[3], const double *from)
   if (from) memcpy(to, from, 3 * sizeof *to);
 }
 
+char *maggi_load_path(const load_build *b, const char *file)
+{
+  const char *slash = *file == '/' ? NULL : strrchr(b->error->file, '/');
+  size_t head = slash ? (size_t)(slash - b->error->file) + 1 : 0, n = strlen(file) + 1;
+  char *path = malloc(head + n);
+
+  if (!path) return NULL;
+  memcpy(path, b->error->file, head);
+  memcpy(path + head, file, n);
+  return path;
+}
+
 /* ------------------------------------------------------------------------------------ the model */
 
 /* add for every entry of a list */
@@ -140,6 +153,9 @@ static maggi_status add_entries(load_build *b, const load_model *file)
   ADD_ALL(springs, maggi_load_spring)
   ADD_ALL(joint_springs, maggi_load_joint_spring)
   ADD_ALL(forces, maggi_load_force)
+  ADD_ALL(tyres, maggi_load_tyre)
+  ADD_ALL(roads, maggi_load_road)
+  ADD_ALL(wheels, maggi_load_wheel)
   ADD_ALL(sensors, maggi_load_sensor)
   ADD_ALL(objectives, maggi_load_objective)
   ADD_ALL(design, maggi_load_design)

@@ -45,6 +45,9 @@ maggi_status maggi_load_keys(const load_build *b, const char *rest, const char *
 /* Copy a vector; from may be NULL, then `to` stays. */
 void maggi_load_copy3(double to[3], const double *from);
 
+/* A path in the model file, which begins where the file is; NULL without memory, to free. */
+char *maggi_load_path(const load_build *b, const char *file);
+
 /* Add an entry of the file. */
 maggi_status maggi_load_body(const load_build *b, const load_body *body);
 maggi_status maggi_load_loop(const load_build *b, const load_loop *loop);
@@ -52,6 +55,9 @@ maggi_status maggi_load_rod(const load_build *b, const load_rod *rod);
 maggi_status maggi_load_spring(const load_build *b, const load_spring *spring);
 maggi_status maggi_load_joint_spring(const load_build *b, const load_joint_spring *spring);
 maggi_status maggi_load_force(const load_build *b, const load_force *force);
+maggi_status maggi_load_tyre(const load_build *b, const load_tyre *tyre);
+maggi_status maggi_load_road(const load_build *b, const load_road *road);
+maggi_status maggi_load_wheel(const load_build *b, const load_wheel *wheel);
 maggi_status maggi_load_function(const load_build *b, const load_function *f);
 maggi_status maggi_load_sensor(const load_build *b, const load_sensor *sensor);
 maggi_status maggi_load_objective(const load_build *b, const load_objective *objective);

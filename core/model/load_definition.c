@@ -17,23 +17,10 @@ static const load_words objective_words = {objective_word, maggi_objective_type_
 
 /* --------------------------------------------------------------------------------------- records */
 
-/* a path in the model file, which begins where the file is */
-static char *path_of(const load_build *b, const char *file)
-{
-  const char *slash = *file == '/' ? NULL : strrchr(b->error->file, '/');
-  size_t head = slash ? (size_t)(slash - b->error->file) + 1 : 0, n = strlen(file) + 1;
-  char *path = malloc(head + n);
-
-  if (!path) return NULL;
-  memcpy(path, b->error->file, head);
-  memcpy(path + head, file, n);
-  return path;
-}
-
 /* what is wrong in the record has its own FILE:LINE: */
 static maggi_status read_record(const load_build *b, const load_objective *o, load_record *record)
 {
-  char *path = path_of(b, o->file), text[400] = "";
+  char *path = maggi_load_path(b, o->file), text[400] = "";
   const load_error in_record = {path, text, sizeof text};
   maggi_status status = MAGGI_E_MEMORY;
 

@@ -252,7 +252,10 @@ maggi_status maggi_load_sensor(const load_build *b, const load_sensor *sensor)
                                                                  "r",
                                                              [MAGGI_SENSOR_SPRING] = "--r",
                                                              [MAGGI_SENSOR_JOINT_SPRING] = "--r",
-                                                             [MAGGI_SENSOR_ROD] = "--r"};
+                                                             [MAGGI_SENSOR_ROD] = "--r",
+                                                             [MAGGI_SENSOR_TYRE_SLIP] = "--r",
+                                                             [MAGGI_SENSOR_TYRE_FORCE] = "--r",
+                                                             [MAGGI_SENSOR_TYRE_MOMENT] = "--r"};
   const load_key keys[] = {
       {KEY(sensor, body)}, {KEY(sensor, point)}, {KEY(sensor, element)}, {NULL, 0}};
   maggi_sensor_def def;

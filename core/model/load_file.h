@@ -6,6 +6,7 @@
  *   load_build.c   load_model -> maggi_builder -> maggi_model, with
  *   load_body.c    .. the bodies and
  *   load_element.c .. lists of the mechanism,
+ *   load_tyre.c    .. tyres with their property files, roads and wheels,
  *   load_definition.c .. objectives and design parameters, with
  *   load_record.c  .. the records of objectives, CSV
  *   load_line.c    line of an entry, for errors that are found later
@@ -139,6 +140,31 @@ typedef struct load_force {
   double *density, *coefficient, *area, *low_speed, *wind;
 } load_force;
 
+typedef struct load_tyre {
+  char *name;
+  char *file;
+  double *low_camber;
+  double *low_speed;
+} load_tyre;
+
+typedef struct load_road {
+  char *name;
+  char *type;
+  double *point;
+  double *slope, *amplitude, *wavelength;
+} load_road;
+
+typedef struct load_wheel {
+  char *name;
+  char *body;
+  char *carrier;
+  char *tyre;
+  char *road;
+  char *side;
+  double point[3];
+  double *axis;
+} load_wheel;
+
 typedef struct load_function {
   char *name;
   char *type;
@@ -221,6 +247,12 @@ typedef struct load_model {
   unsigned joint_springs_count;
   load_force *forces;
   unsigned forces_count;
+  load_tyre *tyres;
+  unsigned tyres_count;
+  load_road *roads;
+  unsigned roads_count;
+  load_wheel *wheels;
+  unsigned wheels_count;
   load_function *functions;
   unsigned functions_count;
   load_sensor *sensors;
@@ -258,6 +290,9 @@ typedef struct load_record {
 
 maggi_status maggi_load_record(const load_error *e, const char *column, load_record *record);
 void maggi_load_record_free(load_record *record);
+
+/* Numbers of the property file (.tir) e->file with the text bytes. */
+maggi_status maggi_load_tir(const load_error *e, const char *bytes, size_t n, maggi_tyre_def *def);
 
 /* Line of a path such as bodies[3].joint.axis or bodies.crank.joint: that of the deepest part of it
  * which exists, at least 1. */

@@ -137,6 +137,29 @@ static const cyaml_schema_field_t force_keys[] = {TEXT(load_force, name),
 static const cyaml_schema_value_t force = {
     CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, load_force, force_keys)};
 
+static const cyaml_schema_field_t tyre_keys[] = {TEXT(load_tyre, name), TEXT(load_tyre, file),
+                                                 OPT_REAL(load_tyre, low_camber),
+                                                 OPT_REAL(load_tyre, low_speed), CYAML_FIELD_END};
+static const cyaml_schema_value_t tyre = {
+    CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, load_tyre, tyre_keys)};
+
+static const cyaml_schema_field_t road_keys[] = {TEXT(load_road, name),
+                                                 TEXT(load_road, type),
+                                                 OPT_VEC3(load_road, point),
+                                                 OPT_REAL(load_road, slope),
+                                                 OPT_REAL(load_road, amplitude),
+                                                 OPT_REAL(load_road, wavelength),
+                                                 CYAML_FIELD_END};
+static const cyaml_schema_value_t road = {
+    CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, load_road, road_keys)};
+
+static const cyaml_schema_field_t wheel_keys[] = {
+    TEXT(load_wheel, name),  TEXT(load_wheel, body),     TEXT(load_wheel, carrier),
+    TEXT(load_wheel, tyre),  TEXT(load_wheel, road),     TEXT(load_wheel, side),
+    VEC3(load_wheel, point), OPT_VEC3(load_wheel, axis), CYAML_FIELD_END};
+static const cyaml_schema_value_t wheel = {
+    CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, load_wheel, wheel_keys)};
+
 static const cyaml_schema_field_t function_keys[] = {
     TEXT(load_function, name),
     TEXT(load_function, type),
@@ -208,6 +231,9 @@ static const cyaml_schema_field_t model_keys[] = {
     MANY(load_model, springs, spring),
     MANY(load_model, joint_springs, joint_spring),
     MANY(load_model, forces, force),
+    MANY(load_model, tyres, tyre),
+    MANY(load_model, roads, road),
+    MANY(load_model, wheels, wheel),
     MANY(load_model, functions, function),
     MANY(load_model, sensors, sensor),
     MANY(load_model, objectives, objective),

@@ -20,7 +20,11 @@ static const char *const sensor_words[] = {"position",
                                            "angular_acceleration",
                                            "spring",
                                            "joint_spring",
-                                           "rod"};
+                                           "rod",
+                                           "tyre_slip",
+                                           "tyre_force",
+                                           "tyre_moment"};
+static const char *const road_words[] = {"flat", "sine"};
 static const char *const objective_words[] = {
     "integral", "integral_square", "mean", "mean_square",    "rms",   "rmq",      "vdv",
     "maximum",  "minimum",         "peak", "smooth_maximum", "value", "terminal", "least_squares",
@@ -49,6 +53,7 @@ static int find(const char *const words[], int n, const char *word)
 WORDS(joint, MAGGI_JOINT_TYPE_COUNT)
 WORDS(loop, MAGGI_LOOP_TYPE_COUNT)
 WORDS(force, MAGGI_FORCE_TYPE_COUNT)
+WORDS(road, MAGGI_ROAD_TYPE_COUNT)
 WORDS(function, MAGGI_FUNCTION_TYPE_COUNT)
 WORDS(sensor, MAGGI_SENSOR_TYPE_COUNT)
 WORDS(objective, MAGGI_OBJECTIVE_TYPE_COUNT)

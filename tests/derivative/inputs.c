@@ -73,6 +73,35 @@ static int times_of(const maggi_topo *t, int fun)
   return 0;
 }
 
+/* away from where what the formula divides by is zero: friction, stiffness, weights of pure slip */
+static void random_tyre(inputs *in, double *p)
+{
+  static const int positive[] = {MAGGI_TYRE_FNOMIN,
+                                 MAGGI_TYRE_UNLOADED_RADIUS,
+                                 MAGGI_TYRE_VERTICAL_STIFFNESS,
+                                 MAGGI_TYRE_LONGVL,
+                                 MAGGI_TYRE_VXLOW,
+                                 MAGGI_TYRE_LOW_SPEED,
+                                 MAGGI_TYRE_LFZO,
+                                 MAGGI_TYRE_PDX1,
+                                 MAGGI_TYRE_PDY1,
+                                 MAGGI_TYRE_PKY2};
+  static const int small[] = {MAGGI_TYRE_PDX2, MAGGI_TYRE_PDX3, MAGGI_TYRE_PDY2, MAGGI_TYRE_PDY3,
+                              MAGGI_TYRE_PKX3, MAGGI_TYRE_PKY3, MAGGI_TYRE_QSY4, MAGGI_TYRE_PHX2,
+                              MAGGI_TYRE_PHY2, MAGGI_TYRE_PVX2, MAGGI_TYRE_PVY2, MAGGI_TYRE_PVY4,
+                              MAGGI_TYRE_PEX2, MAGGI_TYRE_PEX3, MAGGI_TYRE_PEY2, MAGGI_TYRE_QEZ2,
+                              MAGGI_TYRE_QEZ3};
+  int i;
+
+  for (i = 0; i < (int)(sizeof positive / sizeof *positive); ++i)
+    p[positive[i]] = mech_uniform(&in->random, 0.5, 1.5);
+  for (i = 0; i < (int)(sizeof small / sizeof *small); ++i)
+    p[small[i]] = mech_uniform(&in->random, -0.02, 0.02);
+  p[MAGGI_TYRE_RCX1] = mech_uniform(&in->random, 0.2, 0.9);
+  p[MAGGI_TYRE_RCY1] = mech_uniform(&in->random, 0.2, 0.9);
+  p[MAGGI_TYRE_LOW_CAMBER] = mech_uniform(&in->random, 0.03, 0.3);
+}
+
 static void random_parameters(inputs *in, double *p)
 {
   const maggi_topo *t = in->t;
@@ -88,6 +117,16 @@ static void random_parameters(inputs *in, double *p)
     p[k + 4] = mech_uniform(&in->random, 0.3, 0.5);
     p[k + 5] = -mech_uniform(&in->random, 0.3, 0.5);
   }
+  for (i = 0; i < t->ntyre; ++i) random_tyre(in, p + t->tyreadr[i]);
+  for (i = 0; i < t->nwheel; ++i) {
+    fill(in, 3, -0.2, 0.2, p + t->wheelaxis[i]);
+    p[t->wheelaxis[i] + 1] = 1.0;
+  }
+  for (i = 0; i < t->nroad; ++i) {
+    p[t->roadadr[i]] = mech_uniform(&in->random, -0.3, 0.3);
+    if (t->roadkind[i] == MAGGI_ROAD_SINE)
+      p[t->roadadr[i] + 1] = mech_uniform(&in->random, 2.0, 6.0);
+  }
 }
 
 /* away from where an angle of a sensor jumps by a turn, and from where its rate grows without bound */
@@ -95,9 +134,14 @@ static void random_rotations(inputs *in, int n, double *A)
 {
   const maggi_topo *t = in->t;
   double *a;
-  int i;
+  int i, k;
 
   fill(in, n, -1.0, 1.0, A);
+  for (i = 0; i < t->nwheel; ++i) { /* upright: a wheel that lies on the road touches it nowhere */
+    a = A + 9 * t->wheelbody[i];
+    fill(in, 9, -0.3, 0.3, a);
+    for (k = 0; k < 9; k += 4) a[k] += 1.0;
+  }
   for (i = 0; i < t->nsensor; ++i) {
     a = A + 9 * t->sensorbody[i];
     if (t->sensorkind[i] == MAGGI_SENSOR_ANGLES) {
@@ -162,6 +206,21 @@ static void choose_zones(inputs *in, double *rv)
   }
 }
 
+/* kappa, tan(alpha), gamma, Fz, Vx of each tyre */
+static void random_slips(inputs *in, double *x)
+{
+  const maggi_topo *t = in->t;
+  const double *p = inputs_get(in, "p", t->np);
+  int i;
+
+  for (i = 0; i < t->ntyre; ++i) {
+    fill(in, 2, -0.3, 0.3, x + 5 * i);
+    fill(in, 1, -0.2, 0.2, x + 5 * i + 2);
+    x[5 * i + 3] = mech_uniform(&in->random, 0.3, 1.5) * fabs(p[t->tyreadr[i] + MAGGI_TYRE_FNOMIN]);
+    x[5 * i + 4] = mech_uniform(&in->random, -1.0, 1.0);
+  }
+}
+
 static void random_argument(inputs *in, const char *name, int n, double *x)
 {
   if (strcmp(name, "p") == 0)
@@ -170,6 +229,8 @@ static void random_argument(inputs *in, const char *name, int n, double *x)
     x[0] = random_time(in);
   else if (strcmp(name, "A") == 0)
     random_rotations(in, n, x);
+  else if (strcmp(name, "slip") == 0)
+    random_slips(in, x);
   else if (strcmp(name, "prim0") == 0 || strcmp(name, "spring0") == 0)
     fill(in, n, 0.5, 1.5, x);
   else
@@ -184,10 +245,10 @@ const double *inputs_get(inputs *in, const char *name, int n)
 
   for (i = 0; i < in->number; ++i)
     if (strcmp(in->input[i].name, name) == 0 && in->input[i].n == n) return in->input[i].x;
-  if (in->d && !(from = array_of(in->d, name))) return NULL;
+  if (in->d && !(from = array_of(in->d, name)) && strcmp(name, "slip") != 0) return NULL;
   x = malloc(((size_t)n + 1) * sizeof *x);
   if (!x || in->number == INPUTS_MAX) abort();
-  if (in->d)
+  if (from)
     memcpy(x, from, (size_t)n * sizeof *x);
   else
     random_argument(in, name, n, x);

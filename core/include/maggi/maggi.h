@@ -276,6 +276,201 @@ typedef struct maggi_force_def {
   double wind[3];                               /* m/s */
 } maggi_force_def;
 
+/* A tyre: the numbers of PAC2002, of which many wheels may share one set.  Names are those of property
+ * files (.tir) in small letters, so are the paths: tyres.NAME.pcx1.  Missing in a file are 0, scaling
+ * factors (l..) 1; NAN says that a number has to be given.  Steady state needs no others.
+ *
+ *   low_camber   |gamma| has two derivatives in |gamma| < low_camber [rad], is 0 at 0 and exact beyond
+ *   low_speed    rolling resistance changes its sign like tanh(Vx / low_speed)
+ *   vxlow        below it slips are relative to (vxlow + Vx^2 / vxlow) / 2 instead of |Vx|
+ *
+ * name, key, unit, default, bound */
+#define MAGGI_TYRE_LIST(X)                                                                         \
+  X(FNOMIN, fnomin, "N", NAN, POSITIVE)                                                            \
+  X(UNLOADED_RADIUS, unloaded_radius, "m", NAN, POSITIVE)                                          \
+  X(VERTICAL_STIFFNESS, vertical_stiffness, "N/m", NAN, POSITIVE)                                  \
+  X(VERTICAL_DAMPING, vertical_damping, "N s/m", 0.0, NOT_NEGATIVE)                                \
+  X(BREFF, breff, "-", 0.0, NONE)                                                                  \
+  X(DREFF, dreff, "-", 0.0, NONE)                                                                  \
+  X(FREFF, freff, "-", 0.0, NONE)                                                                  \
+  X(LONGVL, longvl, "m/s", 16.7, POSITIVE)                                                         \
+  X(VXLOW, vxlow, "m/s", 1.0, POSITIVE)                                                            \
+  X(LOW_CAMBER, low_camber, "rad", 1e-4, POSITIVE)                                                 \
+  X(LOW_SPEED, low_speed, "m/s", 0.1, POSITIVE)                                                    \
+  X(LFZO, lfzo, "-", 1.0, POSITIVE)                                                                \
+  X(LCX, lcx, "-", 1.0, NONE)                                                                      \
+  X(LMUX, lmux, "-", 1.0, POSITIVE)                                                                \
+  X(LEX, lex, "-", 1.0, NONE)                                                                      \
+  X(LKX, lkx, "-", 1.0, NONE)                                                                      \
+  X(LHX, lhx, "-", 1.0, NONE)                                                                      \
+  X(LVX, lvx, "-", 1.0, NONE)                                                                      \
+  X(LGAX, lgax, "-", 1.0, NONE)                                                                    \
+  X(LCY, lcy, "-", 1.0, NONE)                                                                      \
+  X(LMUY, lmuy, "-", 1.0, POSITIVE)                                                                \
+  X(LEY, ley, "-", 1.0, NONE)                                                                      \
+  X(LKY, lky, "-", 1.0, NONE)                                                                      \
+  X(LHY, lhy, "-", 1.0, NONE)                                                                      \
+  X(LVY, lvy, "-", 1.0, NONE)                                                                      \
+  X(LGAY, lgay, "-", 1.0, NONE)                                                                    \
+  X(LTR, ltr, "-", 1.0, NONE)                                                                      \
+  X(LRES, lres, "-", 1.0, NONE)                                                                    \
+  X(LGAZ, lgaz, "-", 1.0, NONE)                                                                    \
+  X(LXAL, lxal, "-", 1.0, NONE)                                                                    \
+  X(LYKA, lyka, "-", 1.0, NONE)                                                                    \
+  X(LVYKA, lvyka, "-", 1.0, NONE)                                                                  \
+  X(LS, ls, "-", 1.0, NONE)                                                                        \
+  X(LMX, lmx, "-", 1.0, NONE)                                                                      \
+  X(LVMX, lvmx, "-", 1.0, NONE)                                                                    \
+  X(LMY, lmy, "-", 1.0, NONE)                                                                      \
+  X(PCX1, pcx1, "-", NAN, NONE)                                                                    \
+  X(PDX1, pdx1, "-", NAN, NONE)                                                                    \
+  X(PDX2, pdx2, "-", 0.0, NONE)                                                                    \
+  X(PDX3, pdx3, "-", 0.0, NONE)                                                                    \
+  X(PEX1, pex1, "-", 0.0, NONE)                                                                    \
+  X(PEX2, pex2, "-", 0.0, NONE)                                                                    \
+  X(PEX3, pex3, "-", 0.0, NONE)                                                                    \
+  X(PEX4, pex4, "-", 0.0, NONE)                                                                    \
+  X(PKX1, pkx1, "-", NAN, NONE)                                                                    \
+  X(PKX2, pkx2, "-", 0.0, NONE)                                                                    \
+  X(PKX3, pkx3, "-", 0.0, NONE)                                                                    \
+  X(PHX1, phx1, "-", 0.0, NONE)                                                                    \
+  X(PHX2, phx2, "-", 0.0, NONE)                                                                    \
+  X(PVX1, pvx1, "-", 0.0, NONE)                                                                    \
+  X(PVX2, pvx2, "-", 0.0, NONE)                                                                    \
+  X(RBX1, rbx1, "-", 0.0, NONE)                                                                    \
+  X(RBX2, rbx2, "-", 0.0, NONE)                                                                    \
+  X(RCX1, rcx1, "-", 0.0, NONE)                                                                    \
+  X(REX1, rex1, "-", 0.0, NONE)                                                                    \
+  X(REX2, rex2, "-", 0.0, NONE)                                                                    \
+  X(RHX1, rhx1, "-", 0.0, NONE)                                                                    \
+  X(PCY1, pcy1, "-", NAN, NONE)                                                                    \
+  X(PDY1, pdy1, "-", NAN, NONE)                                                                    \
+  X(PDY2, pdy2, "-", 0.0, NONE)                                                                    \
+  X(PDY3, pdy3, "-", 0.0, NONE)                                                                    \
+  X(PEY1, pey1, "-", 0.0, NONE)                                                                    \
+  X(PEY2, pey2, "-", 0.0, NONE)                                                                    \
+  X(PEY3, pey3, "-", 0.0, NONE)                                                                    \
+  X(PEY4, pey4, "-", 0.0, NONE)                                                                    \
+  X(PKY1, pky1, "-", NAN, NONE)                                                                    \
+  X(PKY2, pky2, "-", NAN, NONE)                                                                    \
+  X(PKY3, pky3, "-", 0.0, NONE)                                                                    \
+  X(PHY1, phy1, "-", 0.0, NONE)                                                                    \
+  X(PHY2, phy2, "-", 0.0, NONE)                                                                    \
+  X(PHY3, phy3, "-", 0.0, NONE)                                                                    \
+  X(PVY1, pvy1, "-", 0.0, NONE)                                                                    \
+  X(PVY2, pvy2, "-", 0.0, NONE)                                                                    \
+  X(PVY3, pvy3, "-", 0.0, NONE)                                                                    \
+  X(PVY4, pvy4, "-", 0.0, NONE)                                                                    \
+  X(RBY1, rby1, "-", 0.0, NONE)                                                                    \
+  X(RBY2, rby2, "-", 0.0, NONE)                                                                    \
+  X(RBY3, rby3, "-", 0.0, NONE)                                                                    \
+  X(RCY1, rcy1, "-", 0.0, NONE)                                                                    \
+  X(REY1, rey1, "-", 0.0, NONE)                                                                    \
+  X(REY2, rey2, "-", 0.0, NONE)                                                                    \
+  X(RHY1, rhy1, "-", 0.0, NONE)                                                                    \
+  X(RHY2, rhy2, "-", 0.0, NONE)                                                                    \
+  X(RVY1, rvy1, "-", 0.0, NONE)                                                                    \
+  X(RVY2, rvy2, "-", 0.0, NONE)                                                                    \
+  X(RVY3, rvy3, "-", 0.0, NONE)                                                                    \
+  X(RVY4, rvy4, "-", 0.0, NONE)                                                                    \
+  X(RVY5, rvy5, "-", 0.0, NONE)                                                                    \
+  X(RVY6, rvy6, "-", 0.0, NONE)                                                                    \
+  X(QSX1, qsx1, "-", 0.0, NONE)                                                                    \
+  X(QSX2, qsx2, "-", 0.0, NONE)                                                                    \
+  X(QSX3, qsx3, "-", 0.0, NONE)                                                                    \
+  X(QSY1, qsy1, "-", 0.0, NONE)                                                                    \
+  X(QSY2, qsy2, "-", 0.0, NONE)                                                                    \
+  X(QSY3, qsy3, "-", 0.0, NONE)                                                                    \
+  X(QSY4, qsy4, "-", 0.0, NONE)                                                                    \
+  X(QBZ1, qbz1, "-", 0.0, NONE)                                                                    \
+  X(QBZ2, qbz2, "-", 0.0, NONE)                                                                    \
+  X(QBZ3, qbz3, "-", 0.0, NONE)                                                                    \
+  X(QBZ4, qbz4, "-", 0.0, NONE)                                                                    \
+  X(QBZ5, qbz5, "-", 0.0, NONE)                                                                    \
+  X(QBZ9, qbz9, "-", 0.0, NONE)                                                                    \
+  X(QBZ10, qbz10, "-", 0.0, NONE)                                                                  \
+  X(QCZ1, qcz1, "-", 0.0, NONE)                                                                    \
+  X(QDZ1, qdz1, "-", 0.0, NONE)                                                                    \
+  X(QDZ2, qdz2, "-", 0.0, NONE)                                                                    \
+  X(QDZ3, qdz3, "-", 0.0, NONE)                                                                    \
+  X(QDZ4, qdz4, "-", 0.0, NONE)                                                                    \
+  X(QDZ6, qdz6, "-", 0.0, NONE)                                                                    \
+  X(QDZ7, qdz7, "-", 0.0, NONE)                                                                    \
+  X(QDZ8, qdz8, "-", 0.0, NONE)                                                                    \
+  X(QDZ9, qdz9, "-", 0.0, NONE)                                                                    \
+  X(QEZ1, qez1, "-", 0.0, NONE)                                                                    \
+  X(QEZ2, qez2, "-", 0.0, NONE)                                                                    \
+  X(QEZ3, qez3, "-", 0.0, NONE)                                                                    \
+  X(QEZ4, qez4, "-", 0.0, NONE)                                                                    \
+  X(QEZ5, qez5, "-", 0.0, NONE)                                                                    \
+  X(QHZ1, qhz1, "-", 0.0, NONE)                                                                    \
+  X(QHZ2, qhz2, "-", 0.0, NONE)                                                                    \
+  X(QHZ3, qhz3, "-", 0.0, NONE)                                                                    \
+  X(QHZ4, qhz4, "-", 0.0, NONE)                                                                    \
+  X(SSZ1, ssz1, "-", 0.0, NONE)                                                                    \
+  X(SSZ2, ssz2, "-", 0.0, NONE)                                                                    \
+  X(SSZ3, ssz3, "-", 0.0, NONE)                                                                    \
+  X(SSZ4, ssz4, "-", 0.0, NONE)
+
+enum {
+#define X(name, key, unit, value, bound) MAGGI_TYRE_##name,
+  MAGGI_TYRE_LIST(X)
+#undef X
+      MAGGI_TYRE_NUMBERS
+};
+
+typedef enum maggi_side { MAGGI_LEFT, MAGGI_RIGHT } maggi_side;
+
+typedef struct maggi_tyre_def {
+  const char *name;
+  maggi_side side; /* for which the numbers hold; wheels on the other side are mirrored */
+  double value[MAGGI_TYRE_NUMBERS];
+} maggi_tyre_def;
+
+/* A road: its height is a function of x alone, from a point on.  z is up.
+ * Paths: roads.NAME.point.x .., .slope; .amplitude, .wavelength
+ *
+ *   flat   z = point.z + slope (x - point.x)
+ *   sine   z = point.z + amplitude sin(2 pi (x - point.x) / wavelength)
+ */
+typedef enum maggi_road_type {
+  MAGGI_ROAD_FLAT,
+  MAGGI_ROAD_SINE,
+  MAGGI_ROAD_TYPE_COUNT
+} maggi_road_type;
+
+typedef struct maggi_road_def {
+  const char *name;
+  maggi_road_type type;
+  double point[3];
+  double slope;                 /* of MAGGI_ROAD_FLAT */
+  double amplitude, wavelength; /* of MAGGI_ROAD_SINE, m */
+} maggi_road_def;
+
+/* A wheel with a tyre on a road: a rigid disc, contact where the steepest line from its centre down its
+ * plane meets the plane that touches the road below, loaded radius r.  Magic Formula PAC2002, steady state,
+ * lateral argument tan(alpha):
+ *
+ *   Fz = vertical_stiffness (R0 - r) + vertical_damping (R0 - r)', never negative
+ *   kappa = -(Vx - Omega Re) / |Vx|,  tan(alpha) = Vy / |Vx|,  sin(gamma) = axis . normal
+ *
+ * V is the velocity of the contact point as one of the carrier, Omega that of the body relative to the
+ * carrier about the axis, which points to the left (+y of the vehicle) on all wheels.  TYDEX W axes, ISO:
+ * x forward on the road, y left, z its normal.  Forces act on the body; the ground takes them.  All of
+ * their power, of the vertical spring too, counts as work.
+ * Paths: wheels.NAME.point.x .., .axis.x ..
+ */
+typedef struct maggi_wheel_def {
+  const char *name;
+  const char *body;
+  const char *carrier;
+  const char *tyre;
+  const char *road;
+  maggi_side side;
+  double point[3]; /* centre */
+  double axis[3];
+} maggi_wheel_def;
+
 /* A function of time, for motions and loads.
  *
  *   constant    value                                            parameters: value
@@ -324,6 +519,9 @@ typedef struct maggi_function_def {
  *                         N m; m, m/s, N]: torque or force on `coordinate`
  *   rod                   NAME.length [m], NAME.rate [m/s], NAME.force [N] of a rod: its multiplier,
  *                         tension positive
+ *   tyre_slip             NAME.kappa [-], NAME.alpha [rad], NAME.gamma [rad] of a wheel
+ *   tyre_force            NAME.fx NAME.fy NAME.fz [N], at the contact point in its axes
+ *   tyre_moment           NAME.mx NAME.my NAME.mz [N m]
  *
  * at_cog: the point is the centre of gravity of the body as its `cog` says, or the middle of its bar;
  * then `point` is no parameter.
@@ -340,6 +538,9 @@ typedef enum maggi_sensor_type {
   MAGGI_SENSOR_SPRING,
   MAGGI_SENSOR_JOINT_SPRING,
   MAGGI_SENSOR_ROD,
+  MAGGI_SENSOR_TYRE_SLIP,
+  MAGGI_SENSOR_TYRE_FORCE,
+  MAGGI_SENSOR_TYRE_MOMENT,
   MAGGI_SENSOR_TYPE_COUNT
 } maggi_sensor_type;
 
@@ -349,7 +550,7 @@ typedef struct maggi_sensor_def {
   const char *body;    /* not of springs and rods */
   double point[3];     /* of position, velocity, acceleration */
   int at_cog;          /* true: instead of `point` */
-  const char *element; /* name of the spring or rod */
+  const char *element; /* name of the spring, rod or wheel */
 } maggi_sensor_def;
 
 /* What a model file proposes for a simulation; 0 means: no proposal. */
@@ -358,7 +559,8 @@ typedef struct maggi_simulation_def {
   double step; /* [s] */
 } maggi_simulation_def;
 
-/* Fill a definition with its defaults (zeros; ground; x axis; NAN where documented). */
+/* Fill a definition with its defaults (zeros; ground; x axis, y axis of a wheel; scaling factors of a
+ * tyre 1; NAN where documented). */
 void maggi_body_def_init(maggi_body_def *def);
 void maggi_point_mass_def_init(maggi_point_mass_def *def);
 void maggi_loop_def_init(maggi_loop_def *def);
@@ -366,6 +568,9 @@ void maggi_rod_def_init(maggi_rod_def *def);
 void maggi_spring_def_init(maggi_spring_def *def);
 void maggi_joint_spring_def_init(maggi_joint_spring_def *def);
 void maggi_force_def_init(maggi_force_def *def);
+void maggi_tyre_def_init(maggi_tyre_def *def);
+void maggi_road_def_init(maggi_road_def *def);
+void maggi_wheel_def_init(maggi_wheel_def *def);
 void maggi_function_def_init(maggi_function_def *def);
 void maggi_sensor_def_init(maggi_sensor_def *def);
 
@@ -377,11 +582,13 @@ int maggi_joint_dof(maggi_joint_type type);
 const char *maggi_joint_type_name(maggi_joint_type type);
 const char *maggi_loop_type_name(maggi_loop_type type);
 const char *maggi_force_type_name(maggi_force_type type);
+const char *maggi_road_type_name(maggi_road_type type);
 const char *maggi_function_type_name(maggi_function_type type);
 const char *maggi_sensor_type_name(maggi_sensor_type type);
 int maggi_joint_type_find(const char *name);
 int maggi_loop_type_find(const char *name);
 int maggi_force_type_find(const char *name);
+int maggi_road_type_find(const char *name);
 int maggi_function_type_find(const char *name);
 int maggi_sensor_type_find(const char *name);
 
@@ -412,6 +619,9 @@ maggi_status maggi_builder_rod(maggi_builder *b, const maggi_rod_def *def);
 maggi_status maggi_builder_spring(maggi_builder *b, const maggi_spring_def *def);
 maggi_status maggi_builder_joint_spring(maggi_builder *b, const maggi_joint_spring_def *def);
 maggi_status maggi_builder_force(maggi_builder *b, const maggi_force_def *def);
+maggi_status maggi_builder_tyre(maggi_builder *b, const maggi_tyre_def *def);
+maggi_status maggi_builder_road(maggi_builder *b, const maggi_road_def *def);
+maggi_status maggi_builder_wheel(maggi_builder *b, const maggi_wheel_def *def);
 maggi_status maggi_builder_function(maggi_builder *b, const maggi_function_def *def);
 maggi_status maggi_builder_sensor(maggi_builder *b, const maggi_sensor_def *def);
 
