@@ -6,8 +6,9 @@
 
 /* The builder, and the entry at work: list "bodies", number 3, name "crank". */
 typedef struct load_build {
-  const load_error *error;
-  const char *bytes; /* of the file (n), for maggi_load_line */
+  const load_files *files;
+  const load_error *error; /* of the file that has the entry */
+  const char *bytes;       /* of that file (n), for maggi_load_line */
   size_t n;
   maggi_builder *builder;
   const char *list;

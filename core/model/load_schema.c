@@ -222,6 +222,8 @@ static const cyaml_schema_field_t model_keys[] = {
     CYAML_FIELD_INT("version", CYAML_FLAG_DEFAULT, load_model, version),
     TEXT(load_model, name),
     OPT_TEXT(load_model, source),
+    OPT_TEXT(load_model, base),
+    LIST(load_model, remove, text, 1, ANY_NUMBER),
     OPT_VEC3(load_model, gravity),
     CYAML_FIELD_MAPPING_PTR("simulation", OPTIONAL_POINTER, load_model, simulation,
                             simulation_keys),
@@ -239,6 +241,9 @@ static const cyaml_schema_field_t model_keys[] = {
     MANY(load_model, objectives, objective),
     MANY(load_model, design, design),
     CYAML_FIELD_END};
+
+_Static_assert(sizeof model_keys / sizeof *model_keys <= MAGGI_LOAD_KEYS_MAX + 1,
+               "MAGGI_LOAD_KEYS_MAX");
 
 const cyaml_schema_value_t maggi_load_schema = {
     CYAML_VALUE_MAPPING(CYAML_FLAG_POINTER, load_model, model_keys)};
