@@ -351,6 +351,27 @@ def test_set_changes_the_motion():
     )
 
 
+def test_set_design_parameters():
+    """A name of `design` moves all that it stands for; paths come first."""
+
+    def values(*arguments):
+        found = json.loads(done("info", "pendulum", "--json", "--parameters", *arguments))
+        return {p["path"]: p["value"] for p in found["parameters"]}
+
+    changed = values("--set", "length=2", "bodies.bar.mass=3", "gravity=1")
+    assert changed["bodies.bar.cog.x"] == -2 and changed["sensors.mass.point.x"] == -2
+    assert changed["bodies.bar.mass"] == 3 and changed["gravity.y"] == -1
+    assert values("--set", "mass=3") == values("--set", "bodies.bar.mass=3")
+    moved = values("--set", "length=2", "bodies.bar.cog.x=-1.5")
+    assert moved["bodies.bar.cog.x"] == -2 and moved["sensors.mass.point.x"] == -1.5
+    for setting, text in (
+        ("lengt=1", 'mean "length"'),
+        ("mass=-1", "mass=-1: bodies.bar.mass"),
+        ("len*=1", "no parameter"),
+    ):
+        failed(2, text, "simulate", "pendulum", "--set", setting)
+
+
 # ------------------------------------------------------------------ simulate: summary
 
 KEYS = """model bodies coordinates dof loop_equations rank time step steps evaluations wall_s
