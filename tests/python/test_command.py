@@ -190,6 +190,19 @@ def test_own_models_come_first(tmp_path):
     failed(1, 'did you mean "my-own-model"', "info", "my-won-model", env=own)
 
 
+def test_models_in_folders(tmp_path):
+    """FOLDER/NAME, or NAME where the folder has that name too; a file of the user comes first."""
+    names = [model["name"] for model in shipped()]
+    assert "coach" in names and "coach/turn" in names and "coach/coach" not in names
+    assert done("info", "coach/coach").splitlines()[0] == "coach"
+    assert done("info", "coach/turn", cwd=tmp_path).splitlines()[0] == "coach-turn"
+    failed(1, 'did you mean "coach/turn"', "info", "coach/trun")
+    failed(1, "./coach/turn: cannot be opened", "info", "./coach/turn", cwd=tmp_path)
+    (tmp_path / "coach").mkdir()
+    (tmp_path / "coach/turn").write_text("format: maggi\n")
+    failed(1, "coach/turn:1: ", "info", "coach/turn", cwd=tmp_path)
+
+
 def test_directory_of_models_must_exist(tmp_path):
     failed(1, "MAGGI_MODELS", "models", env=dict(os.environ, MAGGI_MODELS=str(tmp_path / "none")))
 
