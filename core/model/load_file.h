@@ -20,6 +20,7 @@
 #include "maggi/maggi.h"
 
 #include <cyaml/cyaml.h>
+#include <stdbool.h>
 
 /* Where a message goes: message is nmessage chars, or NULL. */
 typedef struct load_error {
@@ -228,6 +229,13 @@ typedef struct load_simulation {
   double step;
 } load_simulation;
 
+typedef struct load_start {
+  bool equilibrium;
+  bool rolling;
+  char **hold;
+  unsigned hold_count;
+} load_start;
+
 typedef struct load_model {
   char *format;
   int version;
@@ -235,6 +243,7 @@ typedef struct load_model {
   char *source;
   double *gravity;
   load_simulation *simulation;
+  load_start *start;
   load_body *bodies;
   unsigned bodies_count;
   load_loop *loops;
