@@ -257,6 +257,22 @@ maggi_status maggi_builder_simulation(maggi_builder *b, const maggi_simulation_d
   return MAGGI_OK;
 }
 
+maggi_status maggi_builder_start(maggi_builder *b, const maggi_start_def *def)
+{
+  maggi_start_def d = *def;
+  const char **hold = maggi_arena_alloc(&b->arena, ((size_t)d.nhold + 1) * sizeof *hold);
+  int i;
+
+  if (!hold) return no_memory(b);
+  for (i = 0; i < d.nhold; ++i) {
+    hold[i] = maggi_arena_text(&b->arena, def->hold[i]);
+    if (!hold[i]) return no_memory(b);
+  }
+  d.hold = hold;
+  b->start = d;
+  return MAGGI_OK;
+}
+
 /* ----------------------------------------------------------------------------------- defaults */
 
 void maggi_body_def_init(maggi_body_def *def)
@@ -332,6 +348,11 @@ void maggi_function_def_init(maggi_function_def *def)
 }
 
 void maggi_sensor_def_init(maggi_sensor_def *def)
+{
+  memset(def, 0, sizeof *def);
+}
+
+void maggi_start_def_init(maggi_start_def *def)
 {
   memset(def, 0, sizeof *def);
 }

@@ -30,6 +30,7 @@ struct maggi_builder {
   const char *source;
   double gravity[3];
   maggi_simulation_def simulation;
+  maggi_start_def start;
 #define X(kind, section)                                                                           \
   maggi_##kind##_def *kind;                                                                        \
   int n##kind, cap##kind;

@@ -247,6 +247,7 @@ maggi_status maggi_model_create(maggi_builder *b, maggi_model **model)
   MAGGI_TOPO_LIST(X)
 #undef X
   if (status == MAGGI_OK && c->no_memory) status = MAGGI_E_MEMORY;
+  if (status == MAGGI_OK) status = maggi_compile_start(c);
   if (status != MAGGI_OK) {
     if (status == MAGGI_E_MEMORY) maggi_builder_fail(b, status, "out of memory");
     maggi_model_free(c->m);
@@ -262,6 +263,7 @@ void maggi_model_free(maggi_model *model)
 #define X(name, size, text) free(model->topo.name);
   MAGGI_TOPO_LIST(X)
 #undef X
+  maggi_twin_free(model->twin);
   free(model->parameter);
   maggi_arena_free(&model->arena);
   free(model);

@@ -169,6 +169,7 @@ static maggi_status add_entries(load_build *b, const load_model *file)
 static maggi_status add_head(const load_build *b, const load_model *file)
 {
   maggi_simulation_def simulation;
+  maggi_start_def start;
   maggi_status status = MAGGI_OK;
 
   if (file->source) status = done(b, "source", maggi_builder_source(b->builder, file->source));
@@ -178,6 +179,13 @@ static maggi_status add_head(const load_build *b, const load_model *file)
     simulation.time = file->simulation->time;
     simulation.step = file->simulation->step;
     status = done(b, "simulation", maggi_builder_simulation(b->builder, &simulation));
+  }
+  if (status == MAGGI_OK && file->start) {
+    start.equilibrium = file->start->equilibrium;
+    start.rolling = file->start->rolling;
+    start.nhold = (int)file->start->hold_count;
+    start.hold = (const char *const *)file->start->hold;
+    status = done(b, "start", maggi_builder_start(b->builder, &start));
   }
   return status;
 }

@@ -21,6 +21,7 @@
 #include "maggi/maggi.h"
 
 #include <cyaml/cyaml.h>
+#include <stdbool.h>
 
 /* Where a message goes: message is nmessage chars, or NULL. */
 typedef struct load_error {
@@ -230,6 +231,13 @@ typedef struct load_simulation {
   double step;
 } load_simulation;
 
+typedef struct load_start {
+  bool equilibrium;
+  bool rolling;
+  char **hold;
+  unsigned hold_count;
+} load_start;
+
 typedef struct load_model {
   char *format;
   int version;
@@ -240,6 +248,7 @@ typedef struct load_model {
   unsigned remove_count;
   double *gravity;
   load_simulation *simulation;
+  load_start *start;
   load_body *bodies;
   unsigned bodies_count;
   load_loop *loops;

@@ -217,6 +217,11 @@ static const cyaml_schema_value_t design = {
 static const cyaml_schema_field_t simulation_keys[] = {
     ZERO(load_simulation, time), ZERO(load_simulation, step), CYAML_FIELD_END};
 
+static const cyaml_schema_field_t start_keys[] = {
+    CYAML_FIELD_BOOL("equilibrium", CYAML_FLAG_OPTIONAL, load_start, equilibrium),
+    LIST(load_start, hold, text, 0, ANY_NUMBER),
+    CYAML_FIELD_BOOL("rolling", CYAML_FLAG_OPTIONAL, load_start, rolling), CYAML_FIELD_END};
+
 static const cyaml_schema_field_t model_keys[] = {
     TEXT(load_model, format), /* these two come first in a file too, see load_check.c */
     CYAML_FIELD_INT("version", CYAML_FLAG_DEFAULT, load_model, version),
@@ -227,6 +232,7 @@ static const cyaml_schema_field_t model_keys[] = {
     OPT_VEC3(load_model, gravity),
     CYAML_FIELD_MAPPING_PTR("simulation", OPTIONAL_POINTER, load_model, simulation,
                             simulation_keys),
+    CYAML_FIELD_MAPPING_PTR("start", OPTIONAL_POINTER, load_model, start, start_keys),
     MANY(load_model, bodies, body),
     MANY(load_model, loops, loop),
     MANY(load_model, rods, rod),

@@ -559,6 +559,27 @@ typedef struct maggi_simulation_def {
   double step; /* [s] */
 } maggi_simulation_def;
 
+/* How a simulation starts, where not at the initial positions and velocities as they are given.
+ *
+ *   equilibrium  true: positions are those of static equilibrium.  All coordinates but those in `hold` and
+ *                guided ones move until their accelerations vanish, with everything at rest, functions
+ *                held at their values of t = 0, and of wheels the vertical springs alone.  Initial
+ *                positions are where the search begins, those of coordinates in `hold` are honoured.
+ *                Velocities are then as given: only the position is one of equilibrium
+ *   hold         names of coordinates, or of bodies for all coordinates of their joints; a guided
+ *                coordinate is held in any case                                       (nhold)
+ *   rolling      true: every wheel starts with the spin at which it rolls freely, kappa = 0, whatever
+ *                initial velocity its coordinate has.  Its body has to turn on the carrier by a
+ *                revolute joint through its centre, with a coordinate that is neither guided nor part
+ *                of a loop
+ */
+typedef struct maggi_start_def {
+  int equilibrium;
+  int nhold;
+  const char *const *hold;
+  int rolling;
+} maggi_start_def;
+
 /* Fill a definition with its defaults (zeros; ground; x axis, y axis of a wheel; scaling factors of a
  * tyre 1; NAN where documented). */
 void maggi_body_def_init(maggi_body_def *def);
@@ -573,6 +594,7 @@ void maggi_road_def_init(maggi_road_def *def);
 void maggi_wheel_def_init(maggi_wheel_def *def);
 void maggi_function_def_init(maggi_function_def *def);
 void maggi_sensor_def_init(maggi_sensor_def *def);
+void maggi_start_def_init(maggi_start_def *def);
 
 /* Number of coordinates of a joint, or -1 for a wrong type. */
 int maggi_joint_dof(maggi_joint_type type);
@@ -612,6 +634,7 @@ maggi_status maggi_builder_gravity(maggi_builder *b,
                                    const double gravity[3]); /* default 0,0,-9.81 */
 maggi_status maggi_builder_source(maggi_builder *b, const char *text);
 maggi_status maggi_builder_simulation(maggi_builder *b, const maggi_simulation_def *def);
+maggi_status maggi_builder_start(maggi_builder *b, const maggi_start_def *def);
 maggi_status maggi_builder_body(maggi_builder *b, const maggi_body_def *def);
 maggi_status maggi_builder_point_mass(maggi_builder *b, const maggi_point_mass_def *def);
 maggi_status maggi_builder_loop(maggi_builder *b, const maggi_loop_def *def);
