@@ -48,6 +48,7 @@ void maggi_builder_free(maggi_builder *builder)
 #define X(kind, section) free(builder->kind);
   MAGGI_BUILDER_LIST(X)
 #undef X
+  free(builder->setting);
   maggi_arena_free(&builder->arena);
   free(builder);
 }
@@ -242,6 +243,25 @@ maggi_status maggi_builder_source(maggi_builder *b, const char *text)
 
   if (!copy) return no_memory(b);
   b->source = copy;
+  return MAGGI_OK;
+}
+
+maggi_status maggi_builder_set(maggi_builder *b, const char *name, double value)
+{
+  maggi_setting *list;
+  int i;
+
+  if (!isfinite(value)) return maggi_fail_at(b, "set", name, "the value is not finite");
+  for (i = 0; i < b->nsetting; ++i)
+    if (strcmp(b->setting[i].name, name) == 0)
+      return maggi_fail_at(b, "set", name, "this name is there already");
+  list = grown(b->setting, b->nsetting, &b->capsetting, sizeof *list);
+  if (!list) return no_memory(b);
+  b->setting = list;
+  list[b->nsetting].name = maggi_arena_text(&b->arena, name);
+  list[b->nsetting].value = value;
+  if (!list[b->nsetting].name) return no_memory(b);
+  ++b->nsetting;
   return MAGGI_OK;
 }
 

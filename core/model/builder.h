@@ -24,6 +24,11 @@ enum { MAGGI_MESSAGE_SIZE = 512 };
   X(objective, objectives)                                                                         \
   X(design, design)
 
+typedef struct maggi_setting {
+  const char *name; /* path, glob or design parameter */
+  double value;
+} maggi_setting;
+
 struct maggi_builder {
   maggi_arena arena;
   const char *name;
@@ -36,6 +41,8 @@ struct maggi_builder {
   int n##kind, cap##kind;
   MAGGI_BUILDER_LIST(X)
 #undef X
+  maggi_setting *setting;
+  int nsetting, capsetting;
   char message[MAGGI_MESSAGE_SIZE];
 };
 

@@ -220,7 +220,6 @@ static maggi_status compile(maggi_compile *c)
   if (status == MAGGI_OK) status = maggi_compile_elements(c);
   if (status == MAGGI_OK) status = maggi_compile_sensors(c);
   if (status == MAGGI_OK) status = maggi_compile_signals(c->m);
-  if (status == MAGGI_OK) status = check_parameters(c);
   if (status != MAGGI_OK) return status;
 
   c->t->np = m->nparameter;
@@ -228,7 +227,9 @@ static maggi_status compile(maggi_compile *c)
   if (!m->pathindex) return MAGGI_E_MEMORY;
   sort_paths(m, m->pathindex);
   if (c->no_memory) return MAGGI_E_MEMORY;
-  return maggi_compile_definitions(c);
+  status = maggi_compile_definitions(c);
+  if (status == MAGGI_OK) status = maggi_compile_settings(c);
+  return status == MAGGI_OK ? check_parameters(c) : status;
 }
 
 maggi_status maggi_model_create(maggi_builder *b, maggi_model **model)

@@ -54,7 +54,8 @@ maggi_status maggi_compile_elements(maggi_compile *c);
 maggi_status maggi_compile_sensors(maggi_compile *c);
 maggi_status maggi_compile_signals(maggi_model *m); /* after all others but: */
 maggi_status maggi_compile_definitions(maggi_compile *c);
-maggi_status maggi_compile_start(maggi_compile *c); /* once the topology of c->m has its lists */
+maggi_status maggi_compile_settings(maggi_compile *c); /* after them */
+maggi_status maggi_compile_start(maggi_compile *c);    /* once the topology of c->m has its lists */
 /* compile_start.c: m->twin */
 maggi_status maggi_twin_create(maggi_model *m);
 void maggi_twin_free(maggi_model *twin);

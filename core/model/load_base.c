@@ -157,15 +157,12 @@ static const char *name_of(const load_model *file, const cyaml_schema_field_t *f
 
 /* Position of an entry of this name in the sum, or the number of them. */
 static unsigned find_entry(const load_files *files, const cyaml_schema_field_t *field,
-                           const char *name, size_t n)
+                           const char *name)
 {
   unsigned i, count = *count_of(&files->all, field);
-  const char *other;
 
-  for (i = 0; i < count; ++i) {
-    other = name_of(&files->all, field, i);
-    if (strlen(other) == n && memcmp(other, name, n) == 0) break;
-  }
+  for (i = 0; i < count && strcmp(name_of(&files->all, field, i), name) != 0; ++i)
+    ;
   return i;
 }
 
@@ -184,7 +181,7 @@ static maggi_status remove_one(load_files *files, int s, unsigned number, const 
     return maggi_load_fail(&source->error, line_of(source, path),
                            "remove: \"%.80s\" is not LIST.NAME, such as springs.left", text);
   count = *count_of(&files->all, field);
-  i = find_entry(files, field, dot + 1, strlen(dot + 1));
+  i = find_entry(files, field, dot + 1);
   if (i == count)
     return maggi_load_fail(&source->error, line_of(source, path),
                            "remove: \"%.80s\" is not in the base", text);
@@ -217,7 +214,7 @@ static maggi_status join_list(load_files *files, int s, const cyaml_schema_field
   if (!grown || !origins) return fail_memory(&source->error);
   for (i = 0; i < more; ++i) {
     name = name_of(source->file, field, i);
-    at = find_entry(files, field, name, strlen(name));
+    at = find_entry(files, field, name);
     if (at < *count && origins[at].source == s) at = *count;
     if (at == *count) ++*count;
     memcpy(entry_of(&files->all, field, at), entry_of(source->file, field, i), size);
@@ -293,21 +290,26 @@ const load_source *maggi_load_entry_source(const load_files *files, const char *
   return &files->source[origin->source];
 }
 
+/* Whether a text begins with a word. */
+static int begins_with(const char *text, const char *word)
+{
+  size_t n = strlen(word);
+
+  return strncmp(text, word, n) == 0 && strchr(".: ", text[n]); /* or its end */
+}
+
 const load_source *maggi_load_text_source(const load_files *files, const char *text)
 {
-  size_t n = strcspn(text, ".: "), nname;
+  size_t n = strcspn(text, ".: ");
   const cyaml_schema_field_t *field = find_key(text, n);
-  const char *name = text[n] == '.' ? text + n + 1 : "";
   unsigned i;
   int s;
 
   if (!field) return &files->source[0];
-  nname = strcspn(name, ".: ");
-  if (is_entries(field) && nname > 0) {
-    i = find_entry(files, field, name, nname);
-    if (i < *count_of(&files->all, field))
-      return &files->source[files->origin[number_of(field)][i].source];
-  }
+  if (is_entries(field) && text[n] == '.')
+    for (i = 0; i < *count_of(&files->all, field); ++i)
+      if (begins_with(text + n + 1, name_of(&files->all, field, i)))
+        return &files->source[files->origin[number_of(field)][i].source];
   for (s = 0; s < files->number - 1; ++s)
     if (field->value.flags & CYAML_FLAG_POINTER && *pointer_of(files->source[s].file, field)) break;
   return &files->source[s];

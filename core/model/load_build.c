@@ -163,6 +163,7 @@ static maggi_status add_entries(load_build *b, const load_model *file)
   ADD_ALL(sensors, maggi_load_sensor)
   ADD_ALL(objectives, maggi_load_objective)
   ADD_ALL(design, maggi_load_design)
+  ADD_ALL(set, maggi_load_set)
   return status;
 }
 

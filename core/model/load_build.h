@@ -50,6 +50,7 @@ void maggi_load_copy3(double to[3], const double *from);
 char *maggi_load_path(const load_build *b, const char *file);
 
 /* Add an entry of the file. */
+maggi_status maggi_load_set(const load_build *b, const load_set *set);
 maggi_status maggi_load_body(const load_build *b, const load_body *body);
 maggi_status maggi_load_loop(const load_build *b, const load_loop *loop);
 maggi_status maggi_load_rod(const load_build *b, const load_rod *rod);

@@ -1,4 +1,4 @@
-/* Entries of `objectives` and `design`. */
+/* Entries of `objectives`, `design` and `set`. */
 #include "load_build.h"
 
 #include <stdio.h>
@@ -128,4 +128,9 @@ maggi_status maggi_load_design(const load_build *b, const load_design *g)
   if (g->lower) def.lower = *g->lower;
   if (g->upper) def.upper = *g->upper;
   return maggi_load_added(b, "", maggi_builder_design(b->builder, &def));
+}
+
+maggi_status maggi_load_set(const load_build *b, const load_set *set)
+{
+  return maggi_load_added(b, "", maggi_builder_set(b->builder, set->name, set->value));
 }

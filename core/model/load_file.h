@@ -226,6 +226,11 @@ typedef struct load_design {
   char *unit;
 } load_design;
 
+typedef struct load_set {
+  char *name;
+  double value;
+} load_set;
+
 typedef struct load_simulation {
   double time;
   double step;
@@ -275,6 +280,8 @@ typedef struct load_model {
   unsigned objectives_count;
   load_design *design;
   unsigned design_count;
+  load_set *set;
+  unsigned set_count;
 } load_model;
 
 /* A file that was read. */

@@ -214,6 +214,11 @@ static const cyaml_schema_field_t design_keys[] = {
 static const cyaml_schema_value_t design = {
     CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, load_design, design_keys)};
 
+static const cyaml_schema_field_t set_keys[] = {TEXT(load_set, name), REAL(load_set, value),
+                                                CYAML_FIELD_END};
+static const cyaml_schema_value_t set = {
+    CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, load_set, set_keys)};
+
 static const cyaml_schema_field_t simulation_keys[] = {
     ZERO(load_simulation, time), ZERO(load_simulation, step), CYAML_FIELD_END};
 
@@ -246,6 +251,7 @@ static const cyaml_schema_field_t model_keys[] = {
     MANY(load_model, sensors, sensor),
     MANY(load_model, objectives, objective),
     MANY(load_model, design, design),
+    MANY(load_model, set, set),
     CYAML_FIELD_END};
 
 _Static_assert(sizeof model_keys / sizeof *model_keys <= MAGGI_LOAD_KEYS_MAX + 1,

@@ -202,7 +202,7 @@ maggi_status maggi_equilibrium_find(maggi_equilibrium *e, maggi_data *d)
 
   e->iterations = e->damped = 0;
   memcpy(x->p, d->p, (size_t)d->t.np * sizeof(double));
-  x->tolerance = DBL_EPSILON;
+  x->tolerance = 1e-14;
   status = maggi_assemble_guess(x);
   if (status == MAGGI_OK) {
     maggi_equilibrium_rest(e);

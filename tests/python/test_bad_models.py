@@ -148,6 +148,9 @@ objectives:
 design:
   - {name: mass, parameters: [bodies.crank.mass, bodies.coupler.mass], factors: [1, 1.2],
      nominal: 1, lower: 0.5, upper: 2}
+set:
+  - {name: "springs.co*.damping", value: 4}
+  - {name: springs.coil.stiffness, value: 90}
 """
 
 
@@ -526,6 +529,11 @@ ROWS = [
     Row("too few factors", "[1, 1.2]", "[1]", "factors: [1]", "1 factors for 2"),
     Row("factor of zero", "[1, 1.2]", "[1, 0]", "factors: [1, 0]", "zero"),
     Row("bounds crossed", "lower: 0.5", "lower: 3", "lower: 3", "above upper"),
+    Row("nothing to set", "springs.coil.stiffness", "springs.coil.s", "springs.coil.s", "no number"),
+    Row("set without a name", "{name: springs.coil.stiffness, v", "{v", "{value: 90", "is missing"),
+    Row("set without a value", ", value: 90", "", "springs.coil.stiffness", "is missing"),
+    Row("set twice", '"springs.co*.damping"', "springs.coil.stiffness", "value: 90", "already"),
+    Row("set to what cannot be", "springs.coil.stiffness", "bodies.ball.mass, value: -1}  #", "bodies.ball.mass,", "set.bodies.ball.mass: bodies.ball.mass must not be negative"),
     Row("nominal out of bounds", "nominal: 1,", "nominal: 3,", "nominal: 3", "between"),
 ]
 
@@ -727,6 +735,8 @@ VARIANT_ROWS = [
     ("removed without a name", "sensors.end", "sensors", "variant.yaml", "remove:", "LIST.NAME"),
     ("own entry twice", "functions:\n", "functions:\n  - {name: pulse, type: constant, value: 2}\n",
      "variant.yaml", "value: 1", "already"),
+    ("own number wrong", "functions:", "set: [{name: springs.coil.x.y, value: 1}]\nfunctions:", "variant.yaml",
+     "set: [", "no number"),
     ("own key wrong", "gravity:", "gravitation:", "variant.yaml", "gravitation:", "unknown key"),
     ("own entry wrong", "body_b: follower", "body_b: foll", "variant.yaml", "body_b:", '"foll"'),
     ("needed by the base", "[sensors.end,", "[loops.tip, bodies.ball, sensors.end,", "good.yaml",

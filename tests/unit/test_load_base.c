@@ -89,6 +89,42 @@ static void test_removed(void)
   maggi_model_free(m);
 }
 
+/* numbers by path, glob and design parameter; those of the base can be replaced and removed */
+static void test_setting(void)
+{
+  maggi_model *m = load(HEAD "base: pendulum.yaml\n"
+                             "set:\n"
+                             "- {name: length, value: 2}\n"
+                             "- {name: bodies.bar.mass, value: 3}\n"
+                             "- {name: bodies.bar.joint.velocity, value: -1}\n"
+                             "- {name: 'gravity.[xz]', value: 0.5}\n");
+  maggi_data *d;
+  double v;
+
+  CHECK(default_of(m, "bodies.bar.cog.x") == -2.0);
+  CHECK(default_of(m, "sensors.mass_velocity.point.x") == -2.0);
+  CHECK(default_of(m, "bodies.bar.mass") == 3.0);
+  CHECK(default_of(m, "gravity.x") == 0.5 && default_of(m, "gravity.z") == 0.5);
+  CHECK(maggi_data_create(m, &d) == MAGGI_OK && maggi_data_reset(d) == MAGGI_OK);
+  maggi_get_coordinates(d, NULL, &v, NULL);
+  CHECK(v == -1.0);
+  maggi_data_free(d);
+  maggi_model_free(m);
+}
+
+/* the length after the path that it contains */
+static void test_setting_order(void)
+{
+  maggi_model *m = load(HEAD "base: pendulum.yaml\n"
+                             "set:\n"
+                             "- {name: length, value: 3}\n"
+                             "- {name: bodies.bar.cog.x, value: -1.5}\n");
+
+  CHECK(default_of(m, "bodies.bar.cog.x") == -3.0);
+  CHECK(default_of(m, "sensors.mass.point.x") == -2.5);
+  maggi_model_free(m);
+}
+
 /* a property file begins in the folder of the file that names it */
 static void test_paths(void)
 {
@@ -133,6 +169,8 @@ int main(void)
   test_same();
   test_replaced();
   test_removed();
+  test_setting();
+  test_setting_order();
   test_paths();
   test_odd();
   return check_done();

@@ -647,6 +647,10 @@ maggi_status maggi_builder_road(maggi_builder *b, const maggi_road_def *def);
 maggi_status maggi_builder_wheel(maggi_builder *b, const maggi_wheel_def *def);
 maggi_status maggi_builder_function(maggi_builder *b, const maggi_function_def *def);
 maggi_status maggi_builder_sensor(maggi_builder *b, const maggi_sensor_def *def);
+/* Another value for the numbers whose path is `name`, or which match it as a glob, whatever the definitions
+ * above say; or for the design parameter of that name, after all paths.  Setting an initial position or
+ * velocity prescribes it.  Each name once. */
+maggi_status maggi_builder_set(maggi_builder *b, const char *name, double value);
 
 /* ----------------------------------------------------------------------------------- model */
 
