@@ -6,12 +6,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { W = MAGGI_NDIR, ITERATIONS = 60, HALVINGS = 14, ROUNDS = 4 };
+enum { W = MAGGI_NDIR, ITERATIONS = 40, HALVINGS = 6, ROUNDS = 4 };
 
 /* how Newton's method ends */
 enum { FOUND, SINGULAR, STUCK };
 
-static const double largest_step = 0.5; /* of a coordinate in one iteration [m, rad] */
+static const double too_far = 0.5; /* correction of a coordinate [m, rad] */
 static const double small_enough = 1e-12;
 static const double round_off = 1e-9; /* corrections that do not become smaller any more */
 
@@ -106,7 +106,7 @@ static void correct(const maggi_equilibrium *e, double *move)
 static int shorten(maggi_equilibrium *e, double size)
 {
   long plans = e->x->plans;
-  double factor = size > largest_step ? largest_step / size : 1.0;
+  double factor = 1.0;
   int k;
 
   memcpy(e->q, e->x->q, (size_t)e->x->t.nq * sizeof(double));
@@ -130,7 +130,7 @@ static int newton(maggi_equilibrium *e, maggi_status *status)
     if (!factor(e)) return SINGULAR;
     correct(e, e->move);
     size = maggi_equilibrium_largest(e, e->move);
-    if (!isfinite(size)) return STUCK;
+    if (!(size <= too_far)) return STUCK;
     ++e->iterations;
     if (!shorten(e, size)) {
       maggi_equilibrium_move(e, e->move, 0.0);
@@ -180,16 +180,31 @@ static maggi_status fail_search(const maggi_equilibrium *e, maggi_data *d)
                          t->joint[body] == MAGGI_ONE_REVOLUTE ? "rad/s^2" : "m/s^2");
 }
 
+/* back to where the search began */
+static maggi_status restart(maggi_equilibrium *e)
+{
+  maggi_status status;
+
+  memcpy(e->x->q, e->start, (size_t)e->x->t.nq * sizeof(double));
+  maggi_evaluate_positions(e->x, 0.0);
+  status = maggi_plan(e->x, 0, 0.1);
+  if (status == MAGGI_OK) maggi_equilibrium_rest(e);
+  return status;
+}
+
+/* Newton; where that leads nowhere, because it begins too far away, after a damped run */
 static maggi_status search(maggi_equilibrium *e, maggi_data *d)
 {
   maggi_status status = MAGGI_OK;
   int round, end;
 
+  memcpy(e->start, e->x->q, (size_t)e->x->t.nq * sizeof(double));
   for (round = 0; round < ROUNDS; ++round) {
     end = newton(e, &status);
-    if (status != MAGGI_OK) return maggi_data_fail(d, status, "%s", e->x->message);
     if (end == FOUND) return MAGGI_OK;
     if (end == SINGULAR && round > 0) return fail_free(e, d);
+    if (status == MAGGI_OK && round == 0) status = restart(e);
+    if (status != MAGGI_OK) return maggi_data_fail(d, status, "%s", e->x->message);
     if (!maggi_equilibrium_damped(e)) break;
   }
   return fail_search(e, d);
@@ -246,19 +261,24 @@ void maggi_equilibrium_adjoint(maggi_equilibrium *e, const maggi_companion *to, 
 {
   const maggi_topo *t = &e->x->t;
   maggi_companion *s = &e->D->adjoint;
+  size_t bytes = (size_t)t->nq * sizeof(double);
   int i;
 
   maggi_place_constants(s, t, to->p);
   maggi_companion_clear(s);
-  memcpy(s->q, q, (size_t)t->nq * sizeof(double));
+  memcpy(s->q, q, bytes);
   maggi_adjoint_closure(e->D);
   for (i = 0; i < t->nind; ++i) e->move[i] = -s->q[t->colq[i]];
   maggi_dense_solve_transposed(&e->factor, e->move);
-  memcpy(e->q, s->q, (size_t)t->nq * sizeof(double));
+  memcpy(e->q, s->q, bytes);
   maggi_companion_clear(s);
   for (i = 0; i < t->nind; ++i) s->a[t->colq[i]] = e->move[i];
   for (i = t->nind; i < t->ncol; ++i) s->q[t->colq[i]] = e->q[t->colq[i]];
   maggi_adjoint_motion(e->D);
+  memcpy(e->q, s->q, bytes);
+  maggi_companion_clear(s);
+  memcpy(s->q, e->q, bytes); /* what is left on dependent coordinates */
+  maggi_adjoint_closure(e->D);
 }
 
 /* ---------------------------------------------------------------------------------------- memory */
@@ -277,8 +297,9 @@ maggi_status maggi_equilibrium_create(const maggi_model *twin, maggi_equilibrium
     e->move = calloc(n, sizeof(double));
     e->next = calloc(n, sizeof(double));
     e->q = calloc(n, sizeof(double));
+    e->start = calloc(n, sizeof(double));
   }
-  if (!e->J || !e->move || !e->next || !e->q) {
+  if (!e->J || !e->move || !e->next || !e->q || !e->start) {
     maggi_equilibrium_free(e);
     return MAGGI_E_MEMORY;
   }
@@ -296,5 +317,6 @@ void maggi_equilibrium_free(maggi_equilibrium *e)
   free(e->move);
   free(e->next);
   free(e->q);
+  free(e->start);
   free(e);
 }

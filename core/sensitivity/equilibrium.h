@@ -19,6 +19,7 @@ struct maggi_equilibrium {
   double *J;           /* (nind x nind) da_i/dq_i of the last linearisation */
   double *move, *next; /* (nq) Newton's corrections of independent coordinates */
   double *q;           /* (nq) position before a step */
+  double *start;       /* (nq) where the search begins */
   int iterations;      /* of Newton's method */
   int damped;          /* steps of the damped run */
 };
