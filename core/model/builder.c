@@ -380,6 +380,8 @@ void maggi_start_def_init(maggi_start_def *def)
 void maggi_objective_def_init(maggi_objective_def *def)
 {
   memset(def, 0, sizeof *def);
+  def->from = NAN;
+  def->to = NAN;
 }
 
 void maggi_design_def_init(maggi_design_def *def)

@@ -202,6 +202,10 @@ typedef struct load_objective {
   char *signal;
   double *target;
   double *sharpness;
+  char *reference;
+  double *from;
+  double *to;
+  char *against;
   double *times;
   unsigned times_count;
   double *values;

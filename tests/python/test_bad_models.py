@@ -145,6 +145,8 @@ objectives:
   - {name: at, type: value, signal: end.y, times: [0.005, 0.01]}
   - {name: fit, type: least_squares, signal: end.y, times: [0, 0.01], values: [0, 0]}
   - {name: total, type: sum, terms: [J1, high], weights: [1, 0.1]}
+  - {name: settling, type: norm, signal: end.z, from: 0.002, to: 0.008, reference: final}
+  - {name: gain, type: slope, signal: end.z, against: end.y}
 design:
   - {name: mass, parameters: [bodies.crank.mass, bodies.coupler.mass], factors: [1, 1.2],
      nominal: 1, lower: 0.5, upper: 2}
@@ -511,6 +513,15 @@ ROWS = [
     Row("unknown term", "[J1, high]", "[J1, low]", "name: total", '"low"'),
     Row("sum of sums", "[J1, high]", "[J1, total]", "name: total", "a sum itself"),
     Row("too many weights", "[1, 0.1]", "[1, 0.1, 2]", "[1, 0.1, 2]", "3 weights for 2 terms"),
+    Row("window of nothing", "from: 0.002", "from: 0.008", "name: settling", "window is empty"),
+    Row("window from the past", "from: 0.002", "from: -1", "name: settling", "before 0"),
+    Row("window of a sum", "[1, 0.1]}", "[1, 0.1], to: 1}", "name: total", 'no key "to"'),
+    Row("begin of an end", "norm, signal: end.z,", "terminal, signal: end.z,", "settling", 'no key'),
+    Row("unknown reference", "reference: final", "reference: first", "reference: first", '"first"'),
+    Row("reference of a peak", "type: norm", "type: peak", "name: settling", 'no key "reference"'),
+    Row("slope of one signal", ", against: end.y", "", "name: gain", '"against" is missing'),
+    Row("slope over nothing", "against: end.y", "against: end.w", "against: end.w", '"end.w"'),
+    Row("target of a slope", "against: end.y", "against: end.y, target: 1", "gain", '"target"'),
     Row("no parameters", "[bodies.crank.mass, bodies.coupler.mass]", "[]", "name: mass", "empty"),
     Row(
         "unknown parameter",

@@ -995,6 +995,14 @@ double maggi_grid_time(const maggi_grid *grid, long k); /* after k steps */
  *   vdv              (int s^4 dt)^(1/4)                  log(int exp(sharpness s) dt / T) / sharpness
  *   least_squares    sum (s - value)^2 / number over points (time, value) of a record
  *   sum              sum of weights times other objectives
+ *   norm             sqrt(int s^2 dt)
+ *   violation        int max(0, s)^2 dt: 0 where the signal stays below the target
+ *   slope            that of the straight line which fits the signal over another one, r, best:
+ *                      (T int r s dt - int r dt int s dt) / (T int r^2 dt - (int r dt)^2)
+ *
+ * With a window, integrals and extrema are those between its ends, T is its length, and terminal is s
+ * there.  With a reference, s = signal - its value at an end of the window - target; that value moves
+ * with the motion, and the derivative knows it.
  *
  * Integrals are those of the piecewise polynomial of degree 5 through the samples; between samples
  * (maximum, value, least_squares) s is that polynomial too.  The sample before a last step shorter than
@@ -1015,8 +1023,20 @@ typedef enum maggi_objective_type {
   MAGGI_OBJECTIVE_TERMINAL,
   MAGGI_OBJECTIVE_LEAST_SQUARES,
   MAGGI_OBJECTIVE_SUM,
+  MAGGI_OBJECTIVE_NORM,
+  MAGGI_OBJECTIVE_VIOLATION,
+  MAGGI_OBJECTIVE_SLOPE,
   MAGGI_OBJECTIVE_TYPE_COUNT
 } maggi_objective_type;
+
+/* What is subtracted from a signal besides the target: nothing, its value at the begin of the window or
+ * at the end. */
+typedef enum maggi_reference_type {
+  MAGGI_REFERENCE_NONE,
+  MAGGI_REFERENCE_INITIAL,
+  MAGGI_REFERENCE_FINAL,
+  MAGGI_REFERENCE_TYPE_COUNT
+} maggi_reference_type;
 
 /* A scalar made of several signals: returns g(t, signals) and fills its gradient, n numbers. */
 typedef double (*maggi_signal_function)(void *context, double t, int n, const double *signals,
@@ -1026,6 +1046,10 @@ typedef double (*maggi_signal_function)(void *context, double t, int n, const do
  *
  *   signal     name, or, when `function` is there, NULL and nsignal names in `signals`
  *   target     subtracted; default 0
+ *   reference  of integral, integral_square, mean, mean_square, rms, rmq, vdv and norm
+ *   from, to   window [s], NAN: begin and end of the simulation, which are the defaults.  Not of value,
+ *              least_squares and sum; of terminal, `to` alone
+ *   against    of slope: name of the other signal
  *   sharpness  of smooth_maximum, positive, in one over the unit of the signal
  *   times      of value and least_squares, in rising order          (number)
  *   values     of least_squares                                     (number)
@@ -1042,6 +1066,9 @@ typedef struct maggi_objective_def {
   void *context;
   double target;
   double sharpness;
+  maggi_reference_type reference;
+  double from, to;
+  const char *against;
   int number;
   const double *times;
   const double *values;
@@ -1073,6 +1100,8 @@ void maggi_objective_def_init(maggi_objective_def *def);
 void maggi_design_def_init(maggi_design_def *def);
 const char *maggi_objective_type_name(maggi_objective_type type); /* "integral", .. */
 int maggi_objective_type_find(const char *name);
+const char *maggi_reference_type_name(maggi_reference_type type); /* "none", "initial", "final" */
+int maggi_reference_type_find(const char *name);
 
 /* Declare them in a model; as the other maggi_builder_.. */
 maggi_status maggi_builder_objective(maggi_builder *b, const maggi_objective_def *def);
