@@ -35,6 +35,7 @@
   X(IS, nbody1, 10, "the same of the whole subtree")                                               \
   X(F, nbody1, 6, "inertia forces at P, with a minus")                                             \
   X(Q, nbody1, 6, "forces of elements at P")                                                       \
+  X(speed, nspeed, 3, "controllers of speed: error, torque, speed")                                \
   X(FS, nbody1, 6, "F + Q of the whole subtree")                                                   \
   X(Fb, nq, 6, "IS b")                                                                             \
   X(rodjac, nrodjac, 3, "velocity of ends of rods by coordinates")                                 \

@@ -118,7 +118,9 @@ static int own_force(maggi_builder *b, maggi_force_def *d)
   OWN(reaction);
   OWN(coordinate);
   OWN(function);
-  return 1;
+  if (d->ncoordinate > 0)
+    d->coordinates = maggi_arena_texts(&b->arena, d->coordinates, d->ncoordinate);
+  return d->ncoordinate <= 0 || d->coordinates;
 }
 
 static int own_tyre(maggi_builder *b, maggi_tyre_def *d)

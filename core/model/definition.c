@@ -129,15 +129,8 @@ static int own_text(maggi_arena *arena, const char **text)
 
 static int own_texts(maggi_arena *arena, const char *const **texts, int n)
 {
-  const char **copy = maggi_arena_alloc(arena, (size_t)n * sizeof *copy);
-  int i;
-
-  for (i = 0; copy && i < n; ++i) {
-    copy[i] = maggi_arena_text(arena, (*texts)[i]);
-    if (!copy[i]) return 0;
-  }
-  *texts = copy;
-  return copy != NULL;
+  *texts = maggi_arena_texts(arena, *texts, n);
+  return *texts != NULL;
 }
 
 static int own_numbers(maggi_arena *arena, const double **numbers, int n)

@@ -141,6 +141,9 @@ typedef struct load_force {
   double *value;
   double *effort;
   double *density, *coefficient, *area, *low_speed, *wind;
+  char **coordinates;
+  unsigned coordinates_count;
+  double *speed, *gain, *torque;
 } load_force;
 
 typedef struct load_tyre {

@@ -119,21 +119,26 @@ static const cyaml_schema_field_t joint_spring_keys[] = {TEXT(load_joint_spring,
 static const cyaml_schema_value_t joint_spring = {
     CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, load_joint_spring, joint_spring_keys)};
 
-static const cyaml_schema_field_t force_keys[] = {TEXT(load_force, name),
-                                                  TEXT(load_force, type),
-                                                  OPT_TEXT(load_force, body),
-                                                  OPT_TEXT(load_force, reaction),
-                                                  OPT_TEXT(load_force, coordinate),
-                                                  OPT_TEXT(load_force, function),
-                                                  OPT_VEC3(load_force, point),
-                                                  OPT_VEC3(load_force, value),
-                                                  OPT_REAL(load_force, effort),
-                                                  OPT_REAL(load_force, density),
-                                                  OPT_REAL(load_force, coefficient),
-                                                  OPT_REAL(load_force, area),
-                                                  OPT_REAL(load_force, low_speed),
-                                                  OPT_VEC3(load_force, wind),
-                                                  CYAML_FIELD_END};
+static const cyaml_schema_field_t force_keys[] = {
+    TEXT(load_force, name),
+    TEXT(load_force, type),
+    OPT_TEXT(load_force, body),
+    OPT_TEXT(load_force, reaction),
+    OPT_TEXT(load_force, coordinate),
+    OPT_TEXT(load_force, function),
+    OPT_VEC3(load_force, point),
+    OPT_VEC3(load_force, value),
+    OPT_REAL(load_force, effort),
+    OPT_REAL(load_force, density),
+    OPT_REAL(load_force, coefficient),
+    OPT_REAL(load_force, area),
+    OPT_REAL(load_force, low_speed),
+    OPT_VEC3(load_force, wind),
+    LIST(load_force, coordinates, text, 1, ANY_NUMBER),
+    OPT_REAL(load_force, speed),
+    OPT_REAL(load_force, gain),
+    OPT_REAL(load_force, torque),
+    CYAML_FIELD_END};
 static const cyaml_schema_value_t force = {
     CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, load_force, force_keys)};
 

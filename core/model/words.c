@@ -7,8 +7,9 @@ static const char *const joint_words[] = {"revolute", "prismatic", "cylindrical"
                                           "planar",   "spherical", "free",        "fixed"};
 static const char *const loop_words[] = {"spherical", "revolute", "universal", "cylindrical",
                                          "prismatic"};
-static const char *const force_words[] = {"force",       "force_body", "torque",
-                                          "torque_body", "joint",      "drag"};
+static const char *const force_words[] = {
+    "force", "force_body", "torque",           "torque_body",
+    "joint", "drag",       "speed_controller", "speed_controller_linear"};
 static const char *const function_words[] = {"constant", "polynomial", "sine",
                                              "step",     "knots",      "spline"};
 static const char *const sensor_words[] = {"position",

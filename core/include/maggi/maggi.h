@@ -249,9 +249,14 @@ typedef struct maggi_joint_spring_def {
  *                        u = velocity of the point - wind.  Below low_speed, which is positive, it
  *                        is linear in u and so has all derivatives at rest, where sqrt(u.u) has none
  *
+ *   MAGGI_FORCE_SPEED    controller of speed: on each of several joint coordinates the torque [N m]
+ *                          gain torque e |e|,   e = speed function(t) - |v|,
+ *                        |v| = sqrt(v.v + low_speed^2) of a point of a body; function is 1 if NULL
+ *   MAGGI_FORCE_SPEED_LINEAR  the same with gain torque e
+ *
  * The same load acts reversed on `reaction` when that names a body (NULL: the ground takes it).
  * Paths: forces.NAME.value.x .. (.value for a joint), forces.NAME.point.x ..; of a drag .density,
- * .coefficient, .area, .low_speed, .wind.x ..
+ * .coefficient, .area, .low_speed, .wind.x ..; of a controller .speed, .gain, .torque, .low_speed
  */
 typedef enum maggi_force_type {
   MAGGI_FORCE_GLOBAL,
@@ -260,6 +265,8 @@ typedef enum maggi_force_type {
   MAGGI_TORQUE_BODY,
   MAGGI_FORCE_JOINT,
   MAGGI_FORCE_DRAG,
+  MAGGI_FORCE_SPEED,
+  MAGGI_FORCE_SPEED_LINEAR,
   MAGGI_FORCE_TYPE_COUNT
 } maggi_force_type;
 
@@ -274,6 +281,11 @@ typedef struct maggi_force_def {
   double value[3];
   double density, coefficient, area, low_speed; /* of MAGGI_FORCE_DRAG, kg/m^3, -, m^2, m/s */
   double wind[3];                               /* m/s */
+  int ncoordinate;                              /* of MAGGI_FORCE_SPEED.., with low_speed: */
+  const char *const *coordinates;               /* named as in maggi_joint_spring_def */
+  double speed;                                 /* m/s */
+  double gain;                                  /* s^2/m^2, linear: s/m */
+  double torque;                                /* N m, on a coordinate that shifts N */
 } maggi_force_def;
 
 /* A tyre: the numbers of PAC2002, of which many wheels may share one set.  Names are those of property
