@@ -228,7 +228,8 @@ static maggi_status compile(maggi_compile *c)
   if (!m->pathindex) return MAGGI_E_MEMORY;
   sort_paths(m, m->pathindex);
   if (c->no_memory) return MAGGI_E_MEMORY;
-  return maggi_compile_definitions(c);
+  status = maggi_compile_definitions(c);
+  return status == MAGGI_OK ? maggi_compile_parts(c) : status;
 }
 
 maggi_status maggi_model_create(maggi_builder *b, maggi_model **model)

@@ -54,5 +54,6 @@ maggi_status maggi_compile_elements(maggi_compile *c);
 maggi_status maggi_compile_sensors(maggi_compile *c);
 maggi_status maggi_compile_signals(maggi_model *m); /* after all others but: */
 maggi_status maggi_compile_definitions(maggi_compile *c);
+maggi_status maggi_compile_parts(maggi_compile *c);
 
 #endif
