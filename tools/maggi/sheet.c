@@ -77,19 +77,19 @@ static void json_point(json *j, const char *key, const double x[3])
 static void json_sensors(json *j, const subject *s)
 {
   const maggi_sensor_def *d;
-  int i, each = s->info.sensors > 0 ? s->info.sensor_columns / s->info.sensors : 1;
+  int i;
 
   json_open_array(j, "sensors");
   for (i = 0; i < s->info.sensor_columns; ++i) {
-    d = maggi_model_sensor(s->model, i / each);
+    d = maggi_model_sensor(s->model, i / 3);
     json_open_object(j, NULL);
     json_string(j, "name", maggi_sensor_column_name(s->model, i));
     json_string(j, "unit", maggi_sensor_column_unit(s->model, i));
-    json_string(j, "sensor", d->name);
-    json_string(j, "type", maggi_sensor_type_name(d->type));
-    if (d->body) json_string(j, "body", d->body);
-    if (d->element) json_string(j, "element", d->element);
-    if (d->body && d->at_cog) json_boolean(j, "at_cog", 1);
+    if (d) json_string(j, "sensor", d->name);
+    if (d) json_string(j, "type", maggi_sensor_type_name(d->type));
+    if (d && d->body) json_string(j, "body", d->body);
+    if (d && d->element) json_string(j, "element", d->element);
+    if (d && d->body && d->at_cog) json_boolean(j, "at_cog", 1);
     json_close_object(j);
   }
   json_close_array(j);
