@@ -16,6 +16,8 @@ void maggi_model_get_info(const maggi_model *m, maggi_model_info *info)
   info->parameters = m->nparameter;
   info->sensors = m->topo.nsensor;
   info->sensor_columns = 3 * m->topo.nsensor;
+  info->filters = m->topo.nfilter;
+  info->filter_states = m->topo.nstate;
   info->simulation = m->simulation;
 }
 
@@ -78,6 +80,16 @@ const char *maggi_sensor_column_name(const maggi_model *m, int column)
 const char *maggi_sensor_column_unit(const maggi_model *m, int column)
 {
   return in(column, 3 * m->topo.nsensor) ? m->sensorunit[column] : NULL;
+}
+
+const char *maggi_filter_column_name(const maggi_model *m, int filter)
+{
+  return in(filter, m->topo.nfilter) ? m->filtercolumn[filter] : NULL;
+}
+
+const char *maggi_filter_column_unit(const maggi_model *m, int filter)
+{
+  return in(filter, m->topo.nfilter) ? m->filterunit[filter] : NULL;
 }
 
 int maggi_body_find(const maggi_model *m, const char *name)

@@ -157,6 +157,7 @@ static maggi_status add_entries(load_build *b, const load_model *file)
   ADD_ALL(roads, maggi_load_road)
   ADD_ALL(wheels, maggi_load_wheel)
   ADD_ALL(sensors, maggi_load_sensor)
+  ADD_ALL(filters, maggi_load_filter)
   ADD_ALL(objectives, maggi_load_objective)
   ADD_ALL(design, maggi_load_design)
   return status;

@@ -86,6 +86,16 @@ static void print_sensors(const subject *s)
            maggi_sensor_column_unit(s->model, i));
 }
 
+static void print_filters(const subject *s)
+{
+  int i;
+
+  if (s->info.filters > 0) printf("\nfilters, %d states\n", s->info.filter_states);
+  for (i = 0; i < s->info.filters; ++i)
+    printf("  %-30s %s\n", maggi_filter_column_name(s->model, i),
+           maggi_filter_column_unit(s->model, i));
+}
+
 /* Names that `name` gives for 0, 1, .. */
 static void print_declared(const subject *s, const char *title,
                            const char *(*name)(const maggi_model *m, int index))
@@ -129,6 +139,7 @@ static int print_all(const subject *s)
   print_loops(s);
   print_independent(s);
   print_sensors(s);
+  print_filters(s);
   print_declared(s, "objectives", maggi_model_objective);
   print_declared(s, "design parameters", maggi_model_design);
   if (s->info.parameters > 0) puts("\nparameters");
@@ -205,6 +216,21 @@ static void json_sensors(json *j, const subject *s)
   json_close_array(j);
 }
 
+static void json_filters(json *j, const subject *s)
+{
+  int i;
+
+  json_integer(j, "filter_states", s->info.filter_states);
+  json_open_array(j, "filters");
+  for (i = 0; i < s->info.filters; ++i) {
+    json_open_object(j, NULL);
+    json_string(j, "name", maggi_filter_column_name(s->model, i));
+    json_string(j, "unit", maggi_filter_column_unit(s->model, i));
+    json_close_object(j);
+  }
+  json_close_array(j);
+}
+
 static void json_declared(json *j, const subject *s, const char *key,
                           const char *(*name)(const maggi_model *m, int index))
 {
@@ -251,6 +277,7 @@ static void json_all(json *j, const subject *s)
   json_coordinates(j, s);
   json_loops(j, s);
   json_sensors(j, s);
+  json_filters(j, s);
   json_declared(j, s, "objectives", maggi_model_objective);
   json_declared(j, s, "design", maggi_model_design);
   json_parameters(j, s, NULL);
