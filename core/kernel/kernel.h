@@ -142,6 +142,10 @@ void maggi_wheel(int axis, int adr, int mirror, int grip, int kind, int roadadr,
                  const double c[3], const double cv[3], const double road[3], double slip[5],
                  double f[6], double arm[3], double T[3], double L[3], double N[3]);
 
+void maggi_rolling(const maggi_topo *t, const double p[t->np], const double A[t->nbody + 1][9],
+                   const double b[t->nbody][6], const double r[t->npoint][3],
+                   const double Z[t->nbody + 1][6], double spin[t->nwheel]);
+
 /* element.c: springs, dampers, loads, wheels; Q on bodies, tau on coordinates, power of what dissipates or
  * feeds energy */
 void maggi_element_forces(const maggi_topo *t, const double p[t->np], const double fun[t->nfun][3],

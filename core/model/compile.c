@@ -228,6 +228,7 @@ static maggi_status compile(maggi_compile *c)
   sort_paths(m, m->pathindex);
   if (c->no_memory) return MAGGI_E_MEMORY;
   status = maggi_compile_definitions(c);
+  if (status == MAGGI_OK) status = maggi_compile_parts(c);
   if (status == MAGGI_OK) status = maggi_compile_settings(c);
   return status == MAGGI_OK ? check_parameters(c) : status;
 }

@@ -60,5 +60,6 @@ maggi_status maggi_compile_start(maggi_compile *c);    /* once the topology of c
 /* compile_start.c: m->twin */
 maggi_status maggi_twin_create(maggi_model *m);
 void maggi_twin_free(maggi_model *twin);
+maggi_status maggi_compile_parts(maggi_compile *c);
 
 #endif

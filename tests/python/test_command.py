@@ -500,7 +500,7 @@ def test_replaced_file_keeps_link_and_rights(tmp_path):
     done("simulate", MODEL, "--time", 0.01, "--out", link)
     assert link.is_symlink() and len(read(out)["t"]) == 11
     assert stat.S_IMODE(out.stat().st_mode) == 0o640
-    assert sorted(os.listdir(tmp_path)) == ["a.csv", "link.csv"]
+    assert sorted(os.listdir(tmp_path)) == ["a.csv", "link.csv", "link.csv.json"]
 
 
 def test_model_file_is_not_overwritten(tmp_path):
@@ -593,7 +593,7 @@ def test_interrupted(number, tmp_path):
     assert process.returncode == 130 and message == ""
     assert summary["interrupted"] is True and summary["time"] == table["t"][-1]
     assert summary["rows"] == len(table["t"]) == summary["steps"] + 1
-    assert os.listdir(tmp_path) == ["a.csv"]
+    assert sorted(os.listdir(tmp_path)) == ["a.csv", "a.csv.json"]
 
 
 def test_interrupted_between_rows(tmp_path):

@@ -739,8 +739,17 @@ const char *maggi_loop_kind(const maggi_model *m, int loop); /* "revolute", .., 
 int maggi_loop_rows(const maggi_model *m, int loop);
 const char *maggi_sensor_column_name(const maggi_model *m, int column);
 const char *maggi_sensor_column_unit(const maggi_model *m, int column);
+const char *maggi_coordinate_motion(const maggi_model *m, int coordinate); /* function, or NULL */
+const char *maggi_model_road(const maggi_model *m, int index, const char **type);
+const char *maggi_model_function(const maggi_model *m, int index, const char **type);
 int maggi_body_find(const maggi_model *m, const char *name);       /* -1: none */
 int maggi_coordinate_find(const maggi_model *m, const char *name); /* -1: none */
+
+/* Sensors and wheels as they were defined, in the order of the file: strings are owned by the model,
+ * numbers are those of the file.  A sensor has the columns 3 index .. 3 index + 2.  NULL outside the
+ * range.  since 0.5 */
+const maggi_sensor_def *maggi_model_sensor(const maggi_model *m, int index);
+const maggi_wheel_def *maggi_model_wheel(const maggi_model *m, int index);
 
 /* Parameters: path, unit and default value of the entry `index` of p; path is NULL and value NAN
  * outside the range.  find returns -1 for an unknown path. */
@@ -1121,6 +1130,7 @@ maggi_status maggi_builder_design(maggi_builder *b, const maggi_design_def *def)
 
 /* Names of those declared in a model, owned by it, NULL outside the range. */
 const char *maggi_model_objective(const maggi_model *m, int index);
+const maggi_objective_def *maggi_model_objective_def(const maggi_model *m, int index);
 const char *maggi_model_design(const maggi_model *m, int index);
 
 /* An objective to be evaluated: of a definition; or by name, one declared in the model or
