@@ -126,6 +126,14 @@ void maggi_composite_inertias(const maggi_topo *t, const double p[t->np],
 void maggi_accumulate(const maggi_topo *t, const double F[t->nbody + 1][6],
                       const double Q[t->nbody + 1][6], double FS[t->nbody + 1][6]);
 
+/* vehicle.c: what a sensor on a vehicle sees */
+void maggi_level(const double A[9], const double u[3], double s[3]);
+void maggi_in_body(const double A[9], const double u[3], double s[3]);
+void maggi_lateral_acceleration(double low_speed, double low, const double v[3], const double a[3],
+                                double s[3]);
+void maggi_sideslip(double low, const double A[9], const double v[3], const double a[3],
+                    double s[3]);
+
 /* spring.c: laws of springs and dampers */
 void maggi_spring(int adr, int preload, int withslopes, int np, const double p[np], double l0,
                   const double ra[3], const double rb[3], const double va[3], const double vb[3],

@@ -24,7 +24,13 @@ static const char *const sensor_words[] = {"position",
                                            "rod",
                                            "tyre_slip",
                                            "tyre_force",
-                                           "tyre_moment"};
+                                           "tyre_moment",
+                                           "lateral_acceleration",
+                                           "sideslip",
+                                           "level_velocity",
+                                           "level_acceleration",
+                                           "body_acceleration",
+                                           "combination"};
 static const char *const road_words[] = {"flat", "sine"};
 static const char *const objective_words[] = {"integral",
                                               "integral_square",
