@@ -63,6 +63,9 @@ maggi_status maggi_load_loop(const load_build *b, const load_loop *loop)
   if (status) return status;
   if (type == MAGGI_LOOP_SPHERICAL && any_axis)
     return maggi_load_fail_at(b, "", "type %s has no axis", loop->type);
+  if (type == MAGGI_LOOP_POINT_PLANE && (loop->axis_a || loop->axis_b))
+    return maggi_load_fail_at(b, "", "type %s has one \"axis\", the normal of the plane",
+                              loop->type);
   if (type == MAGGI_LOOP_UNIVERSAL && loop->axis)
     return maggi_load_fail_at(b, "", "type %s has \"axis_a\" and \"axis_b\"", loop->type);
   status = check_sides(b, "point", loop->point, loop->point_a, loop->point_b);

@@ -5,8 +5,8 @@
 
 static const char *const joint_words[] = {"revolute", "prismatic", "cylindrical", "universal",
                                           "planar",   "spherical", "free",        "fixed"};
-static const char *const loop_words[] = {"spherical", "revolute", "universal", "cylindrical",
-                                         "prismatic"};
+static const char *const loop_words[] = {"spherical",   "revolute",  "universal",
+                                         "cylindrical", "prismatic", "point_plane"};
 static const char *const force_words[] = {
     "force", "force_body", "torque",           "torque_body",
     "joint", "drag",       "speed_controller", "speed_controller_linear"};

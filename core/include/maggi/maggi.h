@@ -147,6 +147,8 @@ typedef struct maggi_point_mass_def {
  *   universal    points coincide, axis_a (in body_a) keeps its angle to axis_b  4
  *   cylindrical  the two axes stay on one line                                  4
  *   prismatic    and do not turn about it                                       5
+ *   point_plane  point_a stays in the plane of body_b through point_b whose
+ *                normal is axis_b                                               1
  *
  * A prismatic loop whose axes differ in the file takes the turn about them from the smallest turn that
  * brings one onto the other.
@@ -154,7 +156,7 @@ typedef struct maggi_point_mass_def {
  * share point_a and axis_a (universal always needs axis_b).  When has_b is true and the two sides
  * differ, the model is assembled when a simulation starts.
  * Paths: loops.NAME.point.x, .axis.x; with has_b loops.NAME.point_a.x, .point_b.x, .axis_a.x, ..
- * A universal loop has axis_a and axis_b in either case.
+ * A universal loop has axis_a and axis_b in either case, point_plane one, axis.
  */
 typedef enum maggi_loop_type {
   MAGGI_LOOP_SPHERICAL,
@@ -162,6 +164,7 @@ typedef enum maggi_loop_type {
   MAGGI_LOOP_UNIVERSAL,
   MAGGI_LOOP_CYLINDRICAL,
   MAGGI_LOOP_PRISMATIC,
+  MAGGI_LOOP_POINT_PLANE,
   MAGGI_LOOP_TYPE_COUNT
 } maggi_loop_type;
 
