@@ -1035,3 +1035,399 @@ void maggi_tyres_b(const maggi_topo *t, const double p[restrict t->np], double p
     slipb[i][0] += kappab;
   }
 }
+
+/* Rates of the coordinates on which wheels turn at which they roll freely, kappa = 0: with V the velocity of
+ * the contact point on the carrier and w the velocity of the wheel by its coordinate
+ *   v = V.t / (Re w.u) */
+void maggi_rolling_b(const maggi_topo *t, const double p[restrict t->np], double pb[restrict t->np],
+                     const double A[restrict t->nbody + 1][9], double Ab[restrict t->nbody + 1][9],
+                     const double b[restrict t->nbody][6], double bb[restrict t->nbody][6],
+                     const double r[restrict t->npoint][3], double rb[restrict t->npoint][3],
+                     const double Z[restrict t->nbody + 1][6], double Zb[restrict t->nbody + 1][6],
+                     double spin[restrict t->nwheel], double spinb[restrict t->nwheel])
+{
+  int adr, body, carrier, i, road;
+  double N0, N0b, N1, N2, N2b, T0, T0b, T1, T1b, T2, T2b, a00, a00b, a01, a01b, a02, a02b, along0,
+      along0b, along1, along1b, along2, along2b, arm0, arm0b, arm1, arm1b, arm2, arm2b, c0, c0b, c1,
+      c1b, c2, c2_2, c2_2b, c2b, fz, fz0, fz0b, fzb, g0, g0b, g2, g2b, h00, h00b, h10, h10b, h11,
+      h11b, n2, n2b, n30, n30b, n31, n32, n32b, p2, p2b, p3, p3b, p_road, p_road1, p_road1_2,
+      p_road1_2b, p_road1b, p_road2, p_road2b, p_road3, p_road3b, p_road4, p_road4b, p_roadb, r2,
+      r2b, ratio, ratiob, re, reb, rhov, rhovb, s, sb, t10, t10b, t11, t11b, t12, t12b, t13, t13b,
+      t14, t14b, t15, t15b, t16, t16b, t17, t17b, t2, t2b, t3, t3b, t4, t4b, t5, t5b, t6, t6b, t7,
+      t7b, t8, t8b, t9, t9b, tb10, tb11, tb12, tb13, tb14, tb15, tb16, tb17, tb18, tb19, tb2, tb20,
+      tb21, tb22, tb23, tb24, tb25, tb26, tb27, tb28, tb29, tb3, tb30, tb31, tb32, tb4, tb5, tb6,
+      tb7, tb8, tb9, u0, u0b, u1, u1b, u2, u2b, ua0, ua0b, ua1, ua1b, ua2, ua2b, un0, un0b, un1,
+      un1b, un2, un2b, v0, v0b, v1, v1b, v2, v2b, w0, w0b, w1, w1b, w2, w2_2, w2_2b, w2b, wr0, wr0b,
+      wr1, wr1b, wr2, wr2b, x, x2, x2b, xb, z0, z0b, z2, z2b;
+
+  for (i = t->nwheel - 1; i >= 0; --i) {
+    adr = t->tyreadr[t->wheeltyre[i]];
+    body = t->wheelbody[i];
+    carrier = t->wheelcarrier[i];
+    road = t->wheelroad[i];
+    a00 = p[t->wheelaxis[i]];
+    a01 = p[t->wheelaxis[i] + 1];
+    a02 = p[t->wheelaxis[i] + 2];
+    ua0 = A[body][0] * a00 + A[body][1] * a01 + A[body][2] * a02;
+    ua1 = A[body][3] * a00 + A[body][4] * a01 + A[body][5] * a02;
+    ua2 = A[body][6] * a00 + A[body][7] * a01 + A[body][8] * a02;
+    t2 = ua0 * ua0 + ua1 * ua1 + ua2 * ua2;
+    n2 = sqrt(t2);
+    u0 = ua0 / n2;
+    u1 = ua1 / n2;
+    u2 = ua2 / n2;
+    g0 = r[t->wheelpoint[i]][0] - r[t->roadpoint[road]][0];
+    g2 = r[t->wheelpoint[i]][2] - r[t->roadpoint[road]][2];
+    x2 = g0;
+    if (t->roadkind[road] == MAGGI_ROAD_FLAT) {
+      p_road = p[t->roadadr[road]];
+      h00 = p_road * x2;
+    } else {
+      p_road1 = p[t->roadadr[road] + 1];
+      t3 = 6.28318530717958647693 * x2 / p_road1;
+      t4 = sin(t3);
+      p_road2 = p[t->roadadr[road]];
+      h00 = p_road2 * t4;
+    }
+    t5 = u0 * u0 + u1 * u1;
+    t6 = u2 * u0 / t5;
+    x = g0 + t6 * (g2 - h00);
+    if (t->roadkind[road] == MAGGI_ROAD_FLAT) {
+      p_road3 = p[t->roadadr[road]];
+      h10 = p_road3 * x;
+      h11 = p_road3;
+    } else {
+      p_road1_2 = p[t->roadadr[road] + 1];
+      t7 = 6.28318530717958647693 * x / p_road1_2;
+      t8 = sin(t7);
+      p_road4 = p[t->roadadr[road]];
+      h10 = p_road4 * t8;
+      t9 = p_road4 * 6.28318530717958647693 / p_road1_2;
+      t10 = 6.28318530717958647693 * x / p_road1_2;
+      t11 = cos(t10);
+      h11 = t9 * t11;
+    }
+    t12 = 1.0 + h11 * h11;
+    s = sqrt(t12);
+    n30 = -h11 / s;
+    n31 = 0.0;
+    n32 = 1.0 / s;
+    c2 = u0 * n30 + u1 * n31 + u2 * n32;
+    un0 = u1 * n32 - u2 * n31;
+    un1 = u2 * n30 - u0 * n32;
+    un2 = u0 * n31 - u1 * n30;
+    t13 = un0 * un0 + un1 * un1 + un2 * un2;
+    w2 = sqrt(t13);
+    r2 = ((g0 - x) * n30 + (g2 - h10) * n32) / w2;
+    along0 = un0 / w2;
+    along1 = un1 / w2;
+    along2 = un2 / w2;
+    arm0 = r2 * (c2 * u0 - n30) / w2;
+    T0 = along0;
+    N0 = n30;
+    arm1 = r2 * (c2 * u1 - n31) / w2;
+    T1 = along1;
+    N1 = n31;
+    arm2 = r2 * (c2 * u2 - n32) / w2;
+    T2 = along2;
+    N2 = n32;
+    z0 = r2;
+    z2 = w2;
+    c0 = r[t->wheelpoint[i]][0] + arm0;
+    c1 = r[t->wheelpoint[i]][1] + arm1;
+    c2_2 = r[t->wheelpoint[i]][2] + arm2;
+    wr0 = Z[carrier][3];
+    wr1 = Z[carrier][4];
+    wr2 = Z[carrier][5];
+    w0 = wr1 * c2_2 - wr2 * c1;
+    w1 = wr2 * c0 - wr0 * c2_2;
+    w2_2 = wr0 * c1 - wr1 * c0;
+    v0 = Z[carrier][0] + w0;
+    v1 = Z[carrier][1] + w1;
+    v2 = Z[carrier][2] + w2_2;
+    rhov = -(v0 * N0 + v1 * N1 + v2 * N2) / z2;
+    p2 = p[adr + MAGGI_TYRE_VERTICAL_STIFFNESS];
+    p3 = p[adr + MAGGI_TYRE_UNLOADED_RADIUS];
+    fz = p2 * (p3 - z0) + p[adr + MAGGI_TYRE_VERTICAL_DAMPING] * rhov;
+    fz0 = p[adr + MAGGI_TYRE_LFZO] * p[adr];
+    ratio = fz / fz0;
+    t14 = fz0 / p2;
+    t15 = p[adr + MAGGI_TYRE_BREFF] * ratio;
+    t16 = atan(t15);
+    re = p3 - t14 * (p[adr + MAGGI_TYRE_DREFF] * t16 + p[adr + MAGGI_TYRE_FREFF] * ratio);
+    t17 = re * (b[body][3] * u0 + b[body][4] * u1 + b[body][5] * u2);
+    tb31 = spinb[i];
+    spinb[i] = 0.0;
+    tb32 = tb31 / t17;
+    v0b = tb32 * T0;
+    T0b = tb32 * v0;
+    v1b = tb32 * T1;
+    T1b = tb32 * v1;
+    v2b = tb32 * T2;
+    T2b = tb32 * v2;
+    t17b = -(tb32 * spin[i]);
+    reb = t17b * (b[body][3] * u0 + b[body][4] * u1 + b[body][5] * u2);
+    tb30 = t17b * re;
+    bb[body][3] += tb30 * u0;
+    u0b = tb30 * b[body][3];
+    bb[body][4] += tb30 * u1;
+    u1b = tb30 * b[body][4];
+    bb[body][5] += tb30 * u2;
+    u2b = tb30 * b[body][5];
+    p3b = reb;
+    t14b = -(reb * (p[adr + MAGGI_TYRE_DREFF] * t16 + p[adr + MAGGI_TYRE_FREFF] * ratio));
+    tb29 = reb * t14;
+    pb[adr + MAGGI_TYRE_DREFF] -= tb29 * t16;
+    t16b = -(tb29 * p[adr + MAGGI_TYRE_DREFF]);
+    pb[adr + MAGGI_TYRE_FREFF] -= tb29 * ratio;
+    ratiob = -(tb29 * p[adr + MAGGI_TYRE_FREFF]);
+    t15b = t16b * (1.0 / (1.0 + t15 * t15));
+    pb[adr + MAGGI_TYRE_BREFF] += t15b * ratio;
+    ratiob += t15b * p[adr + MAGGI_TYRE_BREFF];
+    tb28 = t14b / p2;
+    fz0b = tb28;
+    p2b = -(tb28 * t14);
+    tb27 = ratiob / fz0;
+    fzb = tb27;
+    fz0b -= tb27 * ratio;
+    pb[adr + MAGGI_TYRE_LFZO] += fz0b * p[adr];
+    pb[adr] += fz0b * p[adr + MAGGI_TYRE_LFZO];
+    p2b += fzb * (p3 - z0);
+    tb26 = fzb * p2;
+    p3b += tb26;
+    z0b = -tb26;
+    pb[adr + MAGGI_TYRE_VERTICAL_DAMPING] += fzb * rhov;
+    rhovb = fzb * p[adr + MAGGI_TYRE_VERTICAL_DAMPING];
+    pb[adr + MAGGI_TYRE_UNLOADED_RADIUS] += p3b;
+    pb[adr + MAGGI_TYRE_VERTICAL_STIFFNESS] += p2b;
+    tb25 = rhovb / z2;
+    v0b -= tb25 * N0;
+    N0b = -(tb25 * v0);
+    v1b -= tb25 * N1;
+    v2b -= tb25 * N2;
+    N2b = -(tb25 * v2);
+    z2b = -(tb25 * rhov);
+    Zb[carrier][2] += v2b;
+    w2_2b = v2b;
+    Zb[carrier][1] += v1b;
+    w1b = v1b;
+    Zb[carrier][0] += v0b;
+    w0b = v0b;
+    wr0b = w2_2b * c1;
+    c1b = w2_2b * wr0;
+    wr1b = -(w2_2b * c0);
+    c0b = -(w2_2b * wr1);
+    wr2b = w1b * c0;
+    c0b += w1b * wr2;
+    wr0b -= w1b * c2_2;
+    c2_2b = -(w1b * wr0);
+    wr1b += w0b * c2_2;
+    c2_2b += w0b * wr1;
+    wr2b -= w0b * c1;
+    c1b -= w0b * wr2;
+    Zb[carrier][5] += wr2b;
+    Zb[carrier][4] += wr1b;
+    Zb[carrier][3] += wr0b;
+    rb[t->wheelpoint[i]][2] += c2_2b;
+    arm2b = c2_2b;
+    rb[t->wheelpoint[i]][1] += c1b;
+    arm1b = c1b;
+    rb[t->wheelpoint[i]][0] += c0b;
+    arm0b = c0b;
+    w2b = z2b;
+    r2b = z0b;
+    n32b = N2b;
+    along2b = T2b;
+    tb23 = arm2b / w2;
+    r2b += tb23 * (c2 * u2 - n32);
+    tb24 = tb23 * r2;
+    c2b = tb24 * u2;
+    u2b += tb24 * c2;
+    n32b -= tb24;
+    w2b -= tb23 * arm2;
+    along1b = T1b;
+    tb21 = arm1b / w2;
+    r2b += tb21 * (c2 * u1 - n31);
+    tb22 = tb21 * r2;
+    c2b += tb22 * u1;
+    u1b += tb22 * c2;
+    w2b -= tb21 * arm1;
+    n30b = N0b;
+    along0b = T0b;
+    tb19 = arm0b / w2;
+    r2b += tb19 * (c2 * u0 - n30);
+    tb20 = tb19 * r2;
+    c2b += tb20 * u0;
+    u0b += tb20 * c2;
+    n30b -= tb20;
+    w2b -= tb19 * arm0;
+    tb18 = along2b / w2;
+    un2b = tb18;
+    w2b -= tb18 * along2;
+    tb17 = along1b / w2;
+    un1b = tb17;
+    w2b -= tb17 * along1;
+    tb16 = along0b / w2;
+    un0b = tb16;
+    w2b -= tb16 * along0;
+    tb13 = r2b / w2;
+    tb14 = tb13 * n30;
+    g0b = tb14;
+    xb = -tb14;
+    n30b += tb13 * (g0 - x);
+    tb15 = tb13 * n32;
+    g2b = tb15;
+    h10b = -tb15;
+    n32b += tb13 * (g2 - h10);
+    w2b -= tb13 * r2;
+    t13b = w2b * (1.0 / (2.0 * w2));
+    un0b += t13b * un0;
+    un0b += t13b * un0;
+    un1b += t13b * un1;
+    un1b += t13b * un1;
+    un2b += t13b * un2;
+    un2b += t13b * un2;
+    u0b += un2b * n31;
+    u1b -= un2b * n30;
+    n30b -= un2b * u1;
+    u2b += un1b * n30;
+    n30b += un1b * u2;
+    u0b -= un1b * n32;
+    n32b -= un1b * u0;
+    u1b += un0b * n32;
+    n32b += un0b * u1;
+    u2b -= un0b * n31;
+    u0b += c2b * n30;
+    n30b += c2b * u0;
+    u1b += c2b * n31;
+    u2b += c2b * n32;
+    n32b += c2b * u2;
+    tb12 = n32b / s;
+    sb = -(tb12 * n32);
+    tb11 = n30b / s;
+    h11b = -tb11;
+    sb -= tb11 * n30;
+    t12b = sb * (1.0 / (2.0 * s));
+    h11b += t12b * h11;
+    h11b += t12b * h11;
+    /* height of the road above its point at x ahead of it, and its slope */
+    if (t->roadkind[road] == MAGGI_ROAD_FLAT) {
+      p_road3 = p[t->roadadr[road]];
+      p_road3b = h11b;
+      h11b = 0.0;
+      p_road3b += h10b * x;
+      xb += h10b * p_road3;
+      h10b = 0.0;
+      pb[t->roadadr[road]] += p_road3b;
+    } else {
+      p_road1_2 = p[t->roadadr[road] + 1];
+      t7 = 6.28318530717958647693 * x / p_road1_2;
+      t8 = sin(t7);
+      p_road4 = p[t->roadadr[road]];
+      t9 = p_road4 * 6.28318530717958647693 / p_road1_2;
+      t10 = 6.28318530717958647693 * x / p_road1_2;
+      t11 = cos(t10);
+      t9b = h11b * t11;
+      t11b = h11b * t9;
+      h11b = 0.0;
+      t10b = -(t11b * sin(t10));
+      tb10 = t10b / p_road1_2;
+      xb += tb10 * 6.28318530717958647693;
+      p_road1_2b = -(tb10 * t10);
+      tb9 = t9b / p_road1_2;
+      p_road4b = tb9 * 6.28318530717958647693;
+      p_road1_2b -= tb9 * t9;
+      p_road4b += h10b * t8;
+      t8b = h10b * p_road4;
+      h10b = 0.0;
+      pb[t->roadadr[road]] += p_road4b;
+      t7b = t8b * cos(t7);
+      tb8 = t7b / p_road1_2;
+      xb += tb8 * 6.28318530717958647693;
+      p_road1_2b -= tb8 * t7;
+      pb[t->roadadr[road] + 1] += p_road1_2b;
+    }
+    g0b += xb;
+    t6b = xb * (g2 - h00);
+    tb7 = xb * t6;
+    g2b += tb7;
+    h00b = -tb7;
+    tb6 = t6b / t5;
+    u2b += tb6 * u0;
+    u0b += tb6 * u2;
+    t5b = -(tb6 * t6);
+    u0b += t5b * u0;
+    u0b += t5b * u0;
+    u1b += t5b * u1;
+    u1b += t5b * u1;
+    x2b = 0.0;
+    /* height of the road above its point at x ahead of it, and its slope */
+    if (t->roadkind[road] == MAGGI_ROAD_FLAT) {
+      p_road = p[t->roadadr[road]];
+      p_roadb = h00b * x2;
+      x2b += h00b * p_road;
+      h00b = 0.0;
+      pb[t->roadadr[road]] += p_roadb;
+    } else {
+      p_road1 = p[t->roadadr[road] + 1];
+      t3 = 6.28318530717958647693 * x2 / p_road1;
+      t4 = sin(t3);
+      p_road2 = p[t->roadadr[road]];
+      p_road2b = h00b * t4;
+      t4b = h00b * p_road2;
+      h00b = 0.0;
+      pb[t->roadadr[road]] += p_road2b;
+      t3b = t4b * cos(t3);
+      tb5 = t3b / p_road1;
+      x2b += tb5 * 6.28318530717958647693;
+      p_road1b = -(tb5 * t3);
+      pb[t->roadadr[road] + 1] += p_road1b;
+    }
+    /* Where the rigid disc of a wheel meets the road: the plane that touches the road where the line from
+     * the centre down the disc meets it, n its normal; then down the disc to that plane,
+     *   e = (u.n u - n) / |u × n|,  r = (c - q).n / |u × n|,  T = u × n / |u × n|,  L = n × T
+     * g: centre c from the point of the road.  arm: r e; z: r, u.n, |u × n| */
+    g0b += x2b;
+    rb[t->wheelpoint[i]][2] += g2b;
+    rb[t->roadpoint[road]][2] -= g2b;
+    rb[t->wheelpoint[i]][0] += g0b;
+    rb[t->roadpoint[road]][0] -= g0b;
+    tb4 = u2b / n2;
+    ua2b = tb4;
+    n2b = -(tb4 * u2);
+    tb3 = u1b / n2;
+    ua1b = tb3;
+    n2b -= tb3 * u1;
+    tb2 = u0b / n2;
+    ua0b = tb2;
+    n2b -= tb2 * u0;
+    t2b = n2b * (1.0 / (2.0 * n2));
+    ua0b += t2b * ua0;
+    ua0b += t2b * ua0;
+    ua1b += t2b * ua1;
+    ua1b += t2b * ua1;
+    ua2b += t2b * ua2;
+    ua2b += t2b * ua2;
+    Ab[body][6] += ua2b * a00;
+    a00b = ua2b * A[body][6];
+    Ab[body][7] += ua2b * a01;
+    a01b = ua2b * A[body][7];
+    Ab[body][8] += ua2b * a02;
+    a02b = ua2b * A[body][8];
+    Ab[body][3] += ua1b * a00;
+    a00b += ua1b * A[body][3];
+    Ab[body][4] += ua1b * a01;
+    a01b += ua1b * A[body][4];
+    Ab[body][5] += ua1b * a02;
+    a02b += ua1b * A[body][5];
+    Ab[body][0] += ua0b * a00;
+    a00b += ua0b * A[body][0];
+    Ab[body][1] += ua0b * a01;
+    a01b += ua0b * A[body][1];
+    Ab[body][2] += ua0b * a02;
+    a02b += ua0b * A[body][2];
+    pb[t->wheelaxis[i] + 2] += a02b;
+    pb[t->wheelaxis[i] + 1] += a01b;
+    pb[t->wheelaxis[i]] += a00b;
+  }
+}

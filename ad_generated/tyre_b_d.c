@@ -2377,3 +2377,780 @@ void maggi_tyres_b_d(const maggi_topo *t, const double p[restrict t->np],
     slipbd[i][0] += kappabd;
   }
 }
+
+/* Rates of the coordinates on which wheels turn at which they roll freely, kappa = 0: with V the velocity of
+ * the contact point on the carrier and w the velocity of the wheel by its coordinate
+ *   v = V.t / (Re w.u) */
+void maggi_rolling_b_d(const maggi_topo *t, const double p[restrict t->np],
+                       const double pd[restrict t->np], double pb[restrict t->np],
+                       double pbd[restrict t->np], const double A[restrict t->nbody + 1][9],
+                       const double Ad[restrict t->nbody + 1][9],
+                       double Ab[restrict t->nbody + 1][9], double Abd[restrict t->nbody + 1][9],
+                       const double b[restrict t->nbody][6], const double bd[restrict t->nbody][6],
+                       double bb[restrict t->nbody][6], double bbd[restrict t->nbody][6],
+                       const double r[restrict t->npoint][3],
+                       const double rd[restrict t->npoint][3], double rb[restrict t->npoint][3],
+                       double rbd[restrict t->npoint][3], const double Z[restrict t->nbody + 1][6],
+                       const double Zd[restrict t->nbody + 1][6],
+                       double Zb[restrict t->nbody + 1][6], double Zbd[restrict t->nbody + 1][6],
+                       double spin[restrict t->nwheel], double spind[restrict t->nwheel],
+                       double spinb[restrict t->nwheel], double spinbd[restrict t->nwheel])
+{
+  int adr, body, carrier, i, road;
+  double N0, N0b, N0bd, N0d, N1, N2, N2b, N2bd, N2d, T0, T0b, T0bd, T0d, T1, T1b, T1bd, T1d, T2,
+      T2b, T2bd, T2d, a00, a00b, a00bd, a00d, a01, a01b, a01bd, a01d, a02, a02b, a02bd, a02d,
+      along0, along0b, along0bd, along0d, along1, along1b, along1bd, along1d, along2, along2b,
+      along2bd, along2d, arm0, arm0b, arm0bd, arm0d, arm1, arm1b, arm1bd, arm1d, arm2, arm2b,
+      arm2bd, arm2d, c0, c0b, c0bd, c0d, c1, c1b, c1bd, c1d, c2, c2_2, c2_2b, c2_2bd, c2_2d, c2b,
+      c2bd, c2d, fz, fz0, fz0b, fz0bd, fz0d, fzb, fzbd, fzd, g0, g0b, g0bd, g0d, g2, g2b, g2bd, g2d,
+      h00, h00b, h00bd, h00d, h10, h10b, h10bd, h10d, h11, h11b, h11bd, h11d, n2, n2b, n2bd, n2d,
+      n30, n30b, n30bd, n30d, n31, n32, n32b, n32bd, n32d, p2, p2b, p2bd, p2d, p3, p3b, p3bd, p3d,
+      p_road, p_road1, p_road1_2, p_road1_2b, p_road1_2bd, p_road1_2d, p_road1b, p_road1bd,
+      p_road1d, p_road2, p_road2b, p_road2bd, p_road2d, p_road3, p_road3b, p_road3bd, p_road3d,
+      p_road4, p_road4b, p_road4bd, p_road4d, p_roadb, p_roadbd, p_roadd, r2, r2b, r2bd, r2d, ratio,
+      ratiob, ratiobd, ratiod, re, reb, rebd, red, rhov, rhovb, rhovbd, rhovd, s, sb, sbd, sd, t10,
+      t10b, t10bd, t10d, t11, t11b, t11bd, t11d, t12, t12b, t12bd, t12d, t13, t13b, t13bd, t13d,
+      t14, t14b, t14bd, t14d, t15, t15b, t15bd, t15d, t16, t16b, t16bd, t16d, t17, t17b, t17bd,
+      t17d, t2, t2b, t2bd, t2d, t3, t3b, t3bd, t3d, t4, t4b, t4bd, t4d, t5, t5b, t5bd, t5d, t6, t6b,
+      t6bd, t6d, t7, t7b, t7bd, t7d, t8, t8b, t8bd, t8d, t9, t9b, t9bd, t9d, tb10, tb10d, tb11,
+      tb11d, tb12, tb12d, tb13, tb13d, tb14, tb14d, tb15, tb15d, tb16, tb16d, tb17, tb17d, tb18,
+      tb18d, tb19, tb19d, tb2, tb20, tb20d, tb21, tb21d, tb22, tb22d, tb23, tb23d, tb24, tb24d,
+      tb25, tb25d, tb26, tb26d, tb27, tb27d, tb28, tb28d, tb29, tb29d, tb2d, tb3, tb30, tb30d, tb31,
+      tb31d, tb32, tb32d, tb3d, tb4, tb4d, tb5, tb5d, tb6, tb6d, tb7, tb7d, tb8, tb8d, tb9, tb9d,
+      u0, u0b, u0bd, u0d, u1, u1b, u1bd, u1d, u2, u2b, u2bd, u2d, ua0, ua0b, ua0bd, ua0d, ua1, ua1b,
+      ua1bd, ua1d, ua2, ua2b, ua2bd, ua2d, un0, un0b, un0bd, un0d, un1, un1b, un1bd, un1d, un2,
+      un2b, un2bd, un2d, v0, v0b, v0bd, v0d, v1, v1b, v1bd, v1d, v2, v2b, v2bd, v2d, w0, w0b, w0bd,
+      w0d, w1, w1b, w1bd, w1d, w2, w2_2, w2_2b, w2_2bd, w2_2d, w2b, w2bd, w2d, wr0, wr0b, wr0bd,
+      wr0d, wr1, wr1b, wr1bd, wr1d, wr2, wr2b, wr2bd, wr2d, x, x2, x2b, x2bd, x2d, xb, xbd, xd, z0,
+      z0b, z0bd, z0d, z2, z2b, z2bd, z2d;
+
+  for (i = t->nwheel - 1; i >= 0; --i) {
+    adr = t->tyreadr[t->wheeltyre[i]];
+    body = t->wheelbody[i];
+    carrier = t->wheelcarrier[i];
+    road = t->wheelroad[i];
+    a00 = p[t->wheelaxis[i]];
+    a00d = pd[t->wheelaxis[i]];
+    a01 = p[t->wheelaxis[i] + 1];
+    a01d = pd[t->wheelaxis[i] + 1];
+    a02 = p[t->wheelaxis[i] + 2];
+    a02d = pd[t->wheelaxis[i] + 2];
+    ua0 = A[body][0] * a00 + A[body][1] * a01 + A[body][2] * a02;
+    ua0d = Ad[body][0] * a00 + A[body][0] * a00d + (Ad[body][1] * a01 + A[body][1] * a01d) +
+        (Ad[body][2] * a02 + A[body][2] * a02d);
+    ua1 = A[body][3] * a00 + A[body][4] * a01 + A[body][5] * a02;
+    ua1d = Ad[body][3] * a00 + A[body][3] * a00d + (Ad[body][4] * a01 + A[body][4] * a01d) +
+        (Ad[body][5] * a02 + A[body][5] * a02d);
+    ua2 = A[body][6] * a00 + A[body][7] * a01 + A[body][8] * a02;
+    ua2d = Ad[body][6] * a00 + A[body][6] * a00d + (Ad[body][7] * a01 + A[body][7] * a01d) +
+        (Ad[body][8] * a02 + A[body][8] * a02d);
+    t2 = ua0 * ua0 + ua1 * ua1 + ua2 * ua2;
+    t2d = ua0d * ua0 + ua0 * ua0d + (ua1d * ua1 + ua1 * ua1d) + (ua2d * ua2 + ua2 * ua2d);
+    n2 = sqrt(t2);
+    n2d = 1.0 / (2.0 * n2) * t2d;
+    u0 = ua0 / n2;
+    u0d = (ua0d - u0 * n2d) * (1.0 / n2);
+    u1 = ua1 / n2;
+    u1d = (ua1d - u1 * n2d) * (1.0 / n2);
+    u2 = ua2 / n2;
+    u2d = (ua2d - u2 * n2d) * (1.0 / n2);
+    g0 = r[t->wheelpoint[i]][0] - r[t->roadpoint[road]][0];
+    g0d = rd[t->wheelpoint[i]][0] - rd[t->roadpoint[road]][0];
+    g2 = r[t->wheelpoint[i]][2] - r[t->roadpoint[road]][2];
+    g2d = rd[t->wheelpoint[i]][2] - rd[t->roadpoint[road]][2];
+    x2 = g0;
+    x2d = g0d;
+    if (t->roadkind[road] == MAGGI_ROAD_FLAT) {
+      p_road = p[t->roadadr[road]];
+      p_roadd = pd[t->roadadr[road]];
+      h00 = p_road * x2;
+      h00d = p_roadd * x2 + p_road * x2d;
+    } else {
+      p_road1 = p[t->roadadr[road] + 1];
+      p_road1d = pd[t->roadadr[road] + 1];
+      t3 = 6.28318530717958647693 * x2 / p_road1;
+      t3d = (6.28318530717958647693 * x2d - t3 * p_road1d) * (1.0 / p_road1);
+      t4 = sin(t3);
+      t4d = cos(t3) * t3d;
+      p_road2 = p[t->roadadr[road]];
+      p_road2d = pd[t->roadadr[road]];
+      h00 = p_road2 * t4;
+      h00d = p_road2d * t4 + p_road2 * t4d;
+    }
+    t5 = u0 * u0 + u1 * u1;
+    t5d = u0d * u0 + u0 * u0d + (u1d * u1 + u1 * u1d);
+    t6 = u2 * u0 / t5;
+    t6d = (u2d * u0 + u2 * u0d - t6 * t5d) * (1.0 / t5);
+    x = g0 + t6 * (g2 - h00);
+    xd = g0d + (t6d * (g2 - h00) + t6 * (g2d - h00d));
+    if (t->roadkind[road] == MAGGI_ROAD_FLAT) {
+      p_road3 = p[t->roadadr[road]];
+      p_road3d = pd[t->roadadr[road]];
+      h10 = p_road3 * x;
+      h10d = p_road3d * x + p_road3 * xd;
+      h11 = p_road3;
+      h11d = p_road3d;
+    } else {
+      p_road1_2 = p[t->roadadr[road] + 1];
+      p_road1_2d = pd[t->roadadr[road] + 1];
+      t7 = 6.28318530717958647693 * x / p_road1_2;
+      t7d = (6.28318530717958647693 * xd - t7 * p_road1_2d) * (1.0 / p_road1_2);
+      t8 = sin(t7);
+      t8d = cos(t7) * t7d;
+      p_road4 = p[t->roadadr[road]];
+      p_road4d = pd[t->roadadr[road]];
+      h10 = p_road4 * t8;
+      h10d = p_road4d * t8 + p_road4 * t8d;
+      t9 = p_road4 * 6.28318530717958647693 / p_road1_2;
+      t9d = (p_road4d * 6.28318530717958647693 - t9 * p_road1_2d) * (1.0 / p_road1_2);
+      t10 = 6.28318530717958647693 * x / p_road1_2;
+      t10d = (6.28318530717958647693 * xd - t10 * p_road1_2d) * (1.0 / p_road1_2);
+      t11 = cos(t10);
+      t11d = -(sin(t10) * t10d);
+      h11 = t9 * t11;
+      h11d = t9d * t11 + t9 * t11d;
+    }
+    t12 = 1.0 + h11 * h11;
+    t12d = h11d * h11 + h11 * h11d;
+    s = sqrt(t12);
+    sd = 1.0 / (2.0 * s) * t12d;
+    n30 = -h11 / s;
+    n30d = (-h11d - n30 * sd) * (1.0 / s);
+    n31 = 0.0;
+    n32 = 1.0 / s;
+    n32d = -(n32 * sd * (1.0 / s));
+    c2 = u0 * n30 + u1 * n31 + u2 * n32;
+    c2d = u0d * n30 + u0 * n30d + u1d * n31 + (u2d * n32 + u2 * n32d);
+    un0 = u1 * n32 - u2 * n31;
+    un0d = u1d * n32 + u1 * n32d - u2d * n31;
+    un1 = u2 * n30 - u0 * n32;
+    un1d = u2d * n30 + u2 * n30d - (u0d * n32 + u0 * n32d);
+    un2 = u0 * n31 - u1 * n30;
+    un2d = u0d * n31 - (u1d * n30 + u1 * n30d);
+    t13 = un0 * un0 + un1 * un1 + un2 * un2;
+    t13d = un0d * un0 + un0 * un0d + (un1d * un1 + un1 * un1d) + (un2d * un2 + un2 * un2d);
+    w2 = sqrt(t13);
+    w2d = 1.0 / (2.0 * w2) * t13d;
+    r2 = ((g0 - x) * n30 + (g2 - h10) * n32) / w2;
+    r2d = ((g0d - xd) * n30 + (g0 - x) * n30d + ((g2d - h10d) * n32 + (g2 - h10) * n32d) - r2 * w2d)
+        * (1.0 / w2);
+    along0 = un0 / w2;
+    along0d = (un0d - along0 * w2d) * (1.0 / w2);
+    along1 = un1 / w2;
+    along1d = (un1d - along1 * w2d) * (1.0 / w2);
+    along2 = un2 / w2;
+    along2d = (un2d - along2 * w2d) * (1.0 / w2);
+    arm0 = r2 * (c2 * u0 - n30) / w2;
+    arm0d = (r2d * (c2 * u0 - n30) + r2 * (c2d * u0 + c2 * u0d - n30d) - arm0 * w2d) * (1.0 / w2);
+    T0 = along0;
+    T0d = along0d;
+    N0 = n30;
+    N0d = n30d;
+    arm1 = r2 * (c2 * u1 - n31) / w2;
+    arm1d = (r2d * (c2 * u1 - n31) + r2 * (c2d * u1 + c2 * u1d) - arm1 * w2d) * (1.0 / w2);
+    T1 = along1;
+    T1d = along1d;
+    N1 = n31;
+    arm2 = r2 * (c2 * u2 - n32) / w2;
+    arm2d = (r2d * (c2 * u2 - n32) + r2 * (c2d * u2 + c2 * u2d - n32d) - arm2 * w2d) * (1.0 / w2);
+    T2 = along2;
+    T2d = along2d;
+    N2 = n32;
+    N2d = n32d;
+    z0 = r2;
+    z0d = r2d;
+    z2 = w2;
+    z2d = w2d;
+    c0 = r[t->wheelpoint[i]][0] + arm0;
+    c0d = rd[t->wheelpoint[i]][0] + arm0d;
+    c1 = r[t->wheelpoint[i]][1] + arm1;
+    c1d = rd[t->wheelpoint[i]][1] + arm1d;
+    c2_2 = r[t->wheelpoint[i]][2] + arm2;
+    c2_2d = rd[t->wheelpoint[i]][2] + arm2d;
+    wr0 = Z[carrier][3];
+    wr0d = Zd[carrier][3];
+    wr1 = Z[carrier][4];
+    wr1d = Zd[carrier][4];
+    wr2 = Z[carrier][5];
+    wr2d = Zd[carrier][5];
+    w0 = wr1 * c2_2 - wr2 * c1;
+    w0d = wr1d * c2_2 + wr1 * c2_2d - (wr2d * c1 + wr2 * c1d);
+    w1 = wr2 * c0 - wr0 * c2_2;
+    w1d = wr2d * c0 + wr2 * c0d - (wr0d * c2_2 + wr0 * c2_2d);
+    w2_2 = wr0 * c1 - wr1 * c0;
+    w2_2d = wr0d * c1 + wr0 * c1d - (wr1d * c0 + wr1 * c0d);
+    v0 = Z[carrier][0] + w0;
+    v0d = Zd[carrier][0] + w0d;
+    v1 = Z[carrier][1] + w1;
+    v1d = Zd[carrier][1] + w1d;
+    v2 = Z[carrier][2] + w2_2;
+    v2d = Zd[carrier][2] + w2_2d;
+    rhov = -(v0 * N0 + v1 * N1 + v2 * N2) / z2;
+    rhovd = (-(v0d * N0 + v0 * N0d + v1d * N1 + (v2d * N2 + v2 * N2d)) - rhov * z2d) * (1.0 / z2);
+    p2 = p[adr + MAGGI_TYRE_VERTICAL_STIFFNESS];
+    p2d = pd[adr + MAGGI_TYRE_VERTICAL_STIFFNESS];
+    p3 = p[adr + MAGGI_TYRE_UNLOADED_RADIUS];
+    p3d = pd[adr + MAGGI_TYRE_UNLOADED_RADIUS];
+    fz = p2 * (p3 - z0) + p[adr + MAGGI_TYRE_VERTICAL_DAMPING] * rhov;
+    fzd = p2d * (p3 - z0) + p2 * (p3d - z0d) + (pd[adr + MAGGI_TYRE_VERTICAL_DAMPING] * rhov + p[adr
+        + MAGGI_TYRE_VERTICAL_DAMPING] * rhovd);
+    fz0 = p[adr + MAGGI_TYRE_LFZO] * p[adr];
+    fz0d = pd[adr + MAGGI_TYRE_LFZO] * p[adr] + p[adr + MAGGI_TYRE_LFZO] * pd[adr];
+    ratio = fz / fz0;
+    ratiod = (fzd - ratio * fz0d) * (1.0 / fz0);
+    t14 = fz0 / p2;
+    t14d = (fz0d - t14 * p2d) * (1.0 / p2);
+    t15 = p[adr + MAGGI_TYRE_BREFF] * ratio;
+    t15d = pd[adr + MAGGI_TYRE_BREFF] * ratio + p[adr + MAGGI_TYRE_BREFF] * ratiod;
+    t16 = atan(t15);
+    t16d = 1.0 / (1.0 + t15 * t15) * t15d;
+    re = p3 - t14 * (p[adr + MAGGI_TYRE_DREFF] * t16 + p[adr + MAGGI_TYRE_FREFF] * ratio);
+    red = p3d - (t14d * (p[adr + MAGGI_TYRE_DREFF] * t16 + p[adr + MAGGI_TYRE_FREFF] * ratio) + t14
+        * (pd[adr + MAGGI_TYRE_DREFF] * t16 + p[adr + MAGGI_TYRE_DREFF] * t16d + (pd[adr +
+        MAGGI_TYRE_FREFF] * ratio + p[adr + MAGGI_TYRE_FREFF] * ratiod)));
+    t17 = re * (b[body][3] * u0 + b[body][4] * u1 + b[body][5] * u2);
+    t17d = red * (b[body][3] * u0 + b[body][4] * u1 + b[body][5] * u2) + re * (bd[body][3] * u0 +
+        b[body][3] * u0d + (bd[body][4] * u1 + b[body][4] * u1d) + (bd[body][5] * u2 + b[body][5] *
+        u2d));
+    tb31 = spinb[i];
+    tb31d = spinbd[i];
+    spinb[i] = 0.0;
+    spinbd[i] = 0.0;
+    tb32 = tb31 / t17;
+    tb32d = (tb31d - tb32 * t17d) * (1.0 / t17);
+    v0b = tb32 * T0;
+    v0bd = tb32d * T0 + tb32 * T0d;
+    T0b = tb32 * v0;
+    T0bd = tb32d * v0 + tb32 * v0d;
+    v1b = tb32 * T1;
+    v1bd = tb32d * T1 + tb32 * T1d;
+    T1b = tb32 * v1;
+    T1bd = tb32d * v1 + tb32 * v1d;
+    v2b = tb32 * T2;
+    v2bd = tb32d * T2 + tb32 * T2d;
+    T2b = tb32 * v2;
+    T2bd = tb32d * v2 + tb32 * v2d;
+    t17b = -(tb32 * spin[i]);
+    t17bd = -(tb32d * spin[i] + tb32 * spind[i]);
+    reb = t17b * (b[body][3] * u0 + b[body][4] * u1 + b[body][5] * u2);
+    rebd = t17bd * (b[body][3] * u0 + b[body][4] * u1 + b[body][5] * u2) + t17b * (bd[body][3] * u0
+        + b[body][3] * u0d + (bd[body][4] * u1 + b[body][4] * u1d) + (bd[body][5] * u2 + b[body][5]
+        * u2d));
+    tb30 = t17b * re;
+    tb30d = t17bd * re + t17b * red;
+    bb[body][3] += tb30 * u0;
+    bbd[body][3] += tb30d * u0 + tb30 * u0d;
+    u0b = tb30 * b[body][3];
+    u0bd = tb30d * b[body][3] + tb30 * bd[body][3];
+    bb[body][4] += tb30 * u1;
+    bbd[body][4] += tb30d * u1 + tb30 * u1d;
+    u1b = tb30 * b[body][4];
+    u1bd = tb30d * b[body][4] + tb30 * bd[body][4];
+    bb[body][5] += tb30 * u2;
+    bbd[body][5] += tb30d * u2 + tb30 * u2d;
+    u2b = tb30 * b[body][5];
+    u2bd = tb30d * b[body][5] + tb30 * bd[body][5];
+    p3b = reb;
+    p3bd = rebd;
+    t14b = -(reb * (p[adr + MAGGI_TYRE_DREFF] * t16 + p[adr + MAGGI_TYRE_FREFF] * ratio));
+    t14bd = -(rebd * (p[adr + MAGGI_TYRE_DREFF] * t16 + p[adr + MAGGI_TYRE_FREFF] * ratio) + reb *
+        (pd[adr + MAGGI_TYRE_DREFF] * t16 + p[adr + MAGGI_TYRE_DREFF] * t16d + (pd[adr +
+        MAGGI_TYRE_FREFF] * ratio + p[adr + MAGGI_TYRE_FREFF] * ratiod)));
+    tb29 = reb * t14;
+    tb29d = rebd * t14 + reb * t14d;
+    pb[adr + MAGGI_TYRE_DREFF] -= tb29 * t16;
+    pbd[adr + MAGGI_TYRE_DREFF] -= tb29d * t16 + tb29 * t16d;
+    t16b = -(tb29 * p[adr + MAGGI_TYRE_DREFF]);
+    t16bd = -(tb29d * p[adr + MAGGI_TYRE_DREFF] + tb29 * pd[adr + MAGGI_TYRE_DREFF]);
+    pb[adr + MAGGI_TYRE_FREFF] -= tb29 * ratio;
+    pbd[adr + MAGGI_TYRE_FREFF] -= tb29d * ratio + tb29 * ratiod;
+    ratiob = -(tb29 * p[adr + MAGGI_TYRE_FREFF]);
+    ratiobd = -(tb29d * p[adr + MAGGI_TYRE_FREFF] + tb29 * pd[adr + MAGGI_TYRE_FREFF]);
+    t15b = t16b * (1.0 / (1.0 + t15 * t15));
+    t15bd = t16bd * (1.0 / (1.0 + t15 * t15)) - t16b * (1.0 / (1.0 + t15 * t15) * (t15d * t15 + t15
+        * t15d) / (1.0 + t15 * t15));
+    pb[adr + MAGGI_TYRE_BREFF] += t15b * ratio;
+    pbd[adr + MAGGI_TYRE_BREFF] += t15bd * ratio + t15b * ratiod;
+    ratiob += t15b * p[adr + MAGGI_TYRE_BREFF];
+    ratiobd += t15bd * p[adr + MAGGI_TYRE_BREFF] + t15b * pd[adr + MAGGI_TYRE_BREFF];
+    tb28 = t14b / p2;
+    tb28d = (t14bd - tb28 * p2d) * (1.0 / p2);
+    fz0b = tb28;
+    fz0bd = tb28d;
+    p2b = -(tb28 * t14);
+    p2bd = -(tb28d * t14 + tb28 * t14d);
+    tb27 = ratiob / fz0;
+    tb27d = (ratiobd - tb27 * fz0d) * (1.0 / fz0);
+    fzb = tb27;
+    fzbd = tb27d;
+    fz0b -= tb27 * ratio;
+    fz0bd -= tb27d * ratio + tb27 * ratiod;
+    pb[adr + MAGGI_TYRE_LFZO] += fz0b * p[adr];
+    pbd[adr + MAGGI_TYRE_LFZO] += fz0bd * p[adr] + fz0b * pd[adr];
+    pb[adr] += fz0b * p[adr + MAGGI_TYRE_LFZO];
+    pbd[adr] += fz0bd * p[adr + MAGGI_TYRE_LFZO] + fz0b * pd[adr + MAGGI_TYRE_LFZO];
+    p2b += fzb * (p3 - z0);
+    p2bd += fzbd * (p3 - z0) + fzb * (p3d - z0d);
+    tb26 = fzb * p2;
+    tb26d = fzbd * p2 + fzb * p2d;
+    p3b += tb26;
+    p3bd += tb26d;
+    z0b = -tb26;
+    z0bd = -tb26d;
+    pb[adr + MAGGI_TYRE_VERTICAL_DAMPING] += fzb * rhov;
+    pbd[adr + MAGGI_TYRE_VERTICAL_DAMPING] += fzbd * rhov + fzb * rhovd;
+    rhovb = fzb * p[adr + MAGGI_TYRE_VERTICAL_DAMPING];
+    rhovbd = fzbd * p[adr + MAGGI_TYRE_VERTICAL_DAMPING] + fzb * pd[adr +
+        MAGGI_TYRE_VERTICAL_DAMPING];
+    pb[adr + MAGGI_TYRE_UNLOADED_RADIUS] += p3b;
+    pbd[adr + MAGGI_TYRE_UNLOADED_RADIUS] += p3bd;
+    pb[adr + MAGGI_TYRE_VERTICAL_STIFFNESS] += p2b;
+    pbd[adr + MAGGI_TYRE_VERTICAL_STIFFNESS] += p2bd;
+    tb25 = rhovb / z2;
+    tb25d = (rhovbd - tb25 * z2d) * (1.0 / z2);
+    v0b -= tb25 * N0;
+    v0bd -= tb25d * N0 + tb25 * N0d;
+    N0b = -(tb25 * v0);
+    N0bd = -(tb25d * v0 + tb25 * v0d);
+    v1b -= tb25 * N1;
+    v1bd -= tb25d * N1;
+    v2b -= tb25 * N2;
+    v2bd -= tb25d * N2 + tb25 * N2d;
+    N2b = -(tb25 * v2);
+    N2bd = -(tb25d * v2 + tb25 * v2d);
+    z2b = -(tb25 * rhov);
+    z2bd = -(tb25d * rhov + tb25 * rhovd);
+    Zb[carrier][2] += v2b;
+    Zbd[carrier][2] += v2bd;
+    w2_2b = v2b;
+    w2_2bd = v2bd;
+    Zb[carrier][1] += v1b;
+    Zbd[carrier][1] += v1bd;
+    w1b = v1b;
+    w1bd = v1bd;
+    Zb[carrier][0] += v0b;
+    Zbd[carrier][0] += v0bd;
+    w0b = v0b;
+    w0bd = v0bd;
+    wr0b = w2_2b * c1;
+    wr0bd = w2_2bd * c1 + w2_2b * c1d;
+    c1b = w2_2b * wr0;
+    c1bd = w2_2bd * wr0 + w2_2b * wr0d;
+    wr1b = -(w2_2b * c0);
+    wr1bd = -(w2_2bd * c0 + w2_2b * c0d);
+    c0b = -(w2_2b * wr1);
+    c0bd = -(w2_2bd * wr1 + w2_2b * wr1d);
+    wr2b = w1b * c0;
+    wr2bd = w1bd * c0 + w1b * c0d;
+    c0b += w1b * wr2;
+    c0bd += w1bd * wr2 + w1b * wr2d;
+    wr0b -= w1b * c2_2;
+    wr0bd -= w1bd * c2_2 + w1b * c2_2d;
+    c2_2b = -(w1b * wr0);
+    c2_2bd = -(w1bd * wr0 + w1b * wr0d);
+    wr1b += w0b * c2_2;
+    wr1bd += w0bd * c2_2 + w0b * c2_2d;
+    c2_2b += w0b * wr1;
+    c2_2bd += w0bd * wr1 + w0b * wr1d;
+    wr2b -= w0b * c1;
+    wr2bd -= w0bd * c1 + w0b * c1d;
+    c1b -= w0b * wr2;
+    c1bd -= w0bd * wr2 + w0b * wr2d;
+    Zb[carrier][5] += wr2b;
+    Zbd[carrier][5] += wr2bd;
+    Zb[carrier][4] += wr1b;
+    Zbd[carrier][4] += wr1bd;
+    Zb[carrier][3] += wr0b;
+    Zbd[carrier][3] += wr0bd;
+    rb[t->wheelpoint[i]][2] += c2_2b;
+    rbd[t->wheelpoint[i]][2] += c2_2bd;
+    arm2b = c2_2b;
+    arm2bd = c2_2bd;
+    rb[t->wheelpoint[i]][1] += c1b;
+    rbd[t->wheelpoint[i]][1] += c1bd;
+    arm1b = c1b;
+    arm1bd = c1bd;
+    rb[t->wheelpoint[i]][0] += c0b;
+    rbd[t->wheelpoint[i]][0] += c0bd;
+    arm0b = c0b;
+    arm0bd = c0bd;
+    w2b = z2b;
+    w2bd = z2bd;
+    r2b = z0b;
+    r2bd = z0bd;
+    n32b = N2b;
+    n32bd = N2bd;
+    along2b = T2b;
+    along2bd = T2bd;
+    tb23 = arm2b / w2;
+    tb23d = (arm2bd - tb23 * w2d) * (1.0 / w2);
+    r2b += tb23 * (c2 * u2 - n32);
+    r2bd += tb23d * (c2 * u2 - n32) + tb23 * (c2d * u2 + c2 * u2d - n32d);
+    tb24 = tb23 * r2;
+    tb24d = tb23d * r2 + tb23 * r2d;
+    c2b = tb24 * u2;
+    c2bd = tb24d * u2 + tb24 * u2d;
+    u2b += tb24 * c2;
+    u2bd += tb24d * c2 + tb24 * c2d;
+    n32b -= tb24;
+    n32bd -= tb24d;
+    w2b -= tb23 * arm2;
+    w2bd -= tb23d * arm2 + tb23 * arm2d;
+    along1b = T1b;
+    along1bd = T1bd;
+    tb21 = arm1b / w2;
+    tb21d = (arm1bd - tb21 * w2d) * (1.0 / w2);
+    r2b += tb21 * (c2 * u1 - n31);
+    r2bd += tb21d * (c2 * u1 - n31) + tb21 * (c2d * u1 + c2 * u1d);
+    tb22 = tb21 * r2;
+    tb22d = tb21d * r2 + tb21 * r2d;
+    c2b += tb22 * u1;
+    c2bd += tb22d * u1 + tb22 * u1d;
+    u1b += tb22 * c2;
+    u1bd += tb22d * c2 + tb22 * c2d;
+    w2b -= tb21 * arm1;
+    w2bd -= tb21d * arm1 + tb21 * arm1d;
+    n30b = N0b;
+    n30bd = N0bd;
+    along0b = T0b;
+    along0bd = T0bd;
+    tb19 = arm0b / w2;
+    tb19d = (arm0bd - tb19 * w2d) * (1.0 / w2);
+    r2b += tb19 * (c2 * u0 - n30);
+    r2bd += tb19d * (c2 * u0 - n30) + tb19 * (c2d * u0 + c2 * u0d - n30d);
+    tb20 = tb19 * r2;
+    tb20d = tb19d * r2 + tb19 * r2d;
+    c2b += tb20 * u0;
+    c2bd += tb20d * u0 + tb20 * u0d;
+    u0b += tb20 * c2;
+    u0bd += tb20d * c2 + tb20 * c2d;
+    n30b -= tb20;
+    n30bd -= tb20d;
+    w2b -= tb19 * arm0;
+    w2bd -= tb19d * arm0 + tb19 * arm0d;
+    tb18 = along2b / w2;
+    tb18d = (along2bd - tb18 * w2d) * (1.0 / w2);
+    un2b = tb18;
+    un2bd = tb18d;
+    w2b -= tb18 * along2;
+    w2bd -= tb18d * along2 + tb18 * along2d;
+    tb17 = along1b / w2;
+    tb17d = (along1bd - tb17 * w2d) * (1.0 / w2);
+    un1b = tb17;
+    un1bd = tb17d;
+    w2b -= tb17 * along1;
+    w2bd -= tb17d * along1 + tb17 * along1d;
+    tb16 = along0b / w2;
+    tb16d = (along0bd - tb16 * w2d) * (1.0 / w2);
+    un0b = tb16;
+    un0bd = tb16d;
+    w2b -= tb16 * along0;
+    w2bd -= tb16d * along0 + tb16 * along0d;
+    tb13 = r2b / w2;
+    tb13d = (r2bd - tb13 * w2d) * (1.0 / w2);
+    tb14 = tb13 * n30;
+    tb14d = tb13d * n30 + tb13 * n30d;
+    g0b = tb14;
+    g0bd = tb14d;
+    xb = -tb14;
+    xbd = -tb14d;
+    n30b += tb13 * (g0 - x);
+    n30bd += tb13d * (g0 - x) + tb13 * (g0d - xd);
+    tb15 = tb13 * n32;
+    tb15d = tb13d * n32 + tb13 * n32d;
+    g2b = tb15;
+    g2bd = tb15d;
+    h10b = -tb15;
+    h10bd = -tb15d;
+    n32b += tb13 * (g2 - h10);
+    n32bd += tb13d * (g2 - h10) + tb13 * (g2d - h10d);
+    w2b -= tb13 * r2;
+    w2bd -= tb13d * r2 + tb13 * r2d;
+    t13b = w2b * (1.0 / (2.0 * w2));
+    t13bd = w2bd * (1.0 / (2.0 * w2)) - w2b * (1.0 / (2.0 * w2) * (2.0 * w2d) / (2.0 * w2));
+    un0b += t13b * un0;
+    un0bd += t13bd * un0 + t13b * un0d;
+    un0b += t13b * un0;
+    un0bd += t13bd * un0 + t13b * un0d;
+    un1b += t13b * un1;
+    un1bd += t13bd * un1 + t13b * un1d;
+    un1b += t13b * un1;
+    un1bd += t13bd * un1 + t13b * un1d;
+    un2b += t13b * un2;
+    un2bd += t13bd * un2 + t13b * un2d;
+    un2b += t13b * un2;
+    un2bd += t13bd * un2 + t13b * un2d;
+    u0b += un2b * n31;
+    u0bd += un2bd * n31;
+    u1b -= un2b * n30;
+    u1bd -= un2bd * n30 + un2b * n30d;
+    n30b -= un2b * u1;
+    n30bd -= un2bd * u1 + un2b * u1d;
+    u2b += un1b * n30;
+    u2bd += un1bd * n30 + un1b * n30d;
+    n30b += un1b * u2;
+    n30bd += un1bd * u2 + un1b * u2d;
+    u0b -= un1b * n32;
+    u0bd -= un1bd * n32 + un1b * n32d;
+    n32b -= un1b * u0;
+    n32bd -= un1bd * u0 + un1b * u0d;
+    u1b += un0b * n32;
+    u1bd += un0bd * n32 + un0b * n32d;
+    n32b += un0b * u1;
+    n32bd += un0bd * u1 + un0b * u1d;
+    u2b -= un0b * n31;
+    u2bd -= un0bd * n31;
+    u0b += c2b * n30;
+    u0bd += c2bd * n30 + c2b * n30d;
+    n30b += c2b * u0;
+    n30bd += c2bd * u0 + c2b * u0d;
+    u1b += c2b * n31;
+    u1bd += c2bd * n31;
+    u2b += c2b * n32;
+    u2bd += c2bd * n32 + c2b * n32d;
+    n32b += c2b * u2;
+    n32bd += c2bd * u2 + c2b * u2d;
+    tb12 = n32b / s;
+    tb12d = (n32bd - tb12 * sd) * (1.0 / s);
+    sb = -(tb12 * n32);
+    sbd = -(tb12d * n32 + tb12 * n32d);
+    tb11 = n30b / s;
+    tb11d = (n30bd - tb11 * sd) * (1.0 / s);
+    h11b = -tb11;
+    h11bd = -tb11d;
+    sb -= tb11 * n30;
+    sbd -= tb11d * n30 + tb11 * n30d;
+    t12b = sb * (1.0 / (2.0 * s));
+    t12bd = sbd * (1.0 / (2.0 * s)) - sb * (1.0 / (2.0 * s) * (2.0 * sd) / (2.0 * s));
+    h11b += t12b * h11;
+    h11bd += t12bd * h11 + t12b * h11d;
+    h11b += t12b * h11;
+    h11bd += t12bd * h11 + t12b * h11d;
+    /* height of the road above its point at x ahead of it, and its slope */
+    if (t->roadkind[road] == MAGGI_ROAD_FLAT) {
+      p_road3 = p[t->roadadr[road]];
+      p_road3d = pd[t->roadadr[road]];
+      p_road3b = h11b;
+      p_road3bd = h11bd;
+      h11b = 0.0;
+      h11bd = 0.0;
+      p_road3b += h10b * x;
+      p_road3bd += h10bd * x + h10b * xd;
+      xb += h10b * p_road3;
+      xbd += h10bd * p_road3 + h10b * p_road3d;
+      h10b = 0.0;
+      h10bd = 0.0;
+      pb[t->roadadr[road]] += p_road3b;
+      pbd[t->roadadr[road]] += p_road3bd;
+    } else {
+      p_road1_2 = p[t->roadadr[road] + 1];
+      p_road1_2d = pd[t->roadadr[road] + 1];
+      t7 = 6.28318530717958647693 * x / p_road1_2;
+      t7d = (6.28318530717958647693 * xd - t7 * p_road1_2d) * (1.0 / p_road1_2);
+      t8 = sin(t7);
+      t8d = cos(t7) * t7d;
+      p_road4 = p[t->roadadr[road]];
+      p_road4d = pd[t->roadadr[road]];
+      t9 = p_road4 * 6.28318530717958647693 / p_road1_2;
+      t9d = (p_road4d * 6.28318530717958647693 - t9 * p_road1_2d) * (1.0 / p_road1_2);
+      t10 = 6.28318530717958647693 * x / p_road1_2;
+      t10d = (6.28318530717958647693 * xd - t10 * p_road1_2d) * (1.0 / p_road1_2);
+      t11 = cos(t10);
+      t11d = -(sin(t10) * t10d);
+      t9b = h11b * t11;
+      t9bd = h11bd * t11 + h11b * t11d;
+      t11b = h11b * t9;
+      t11bd = h11bd * t9 + h11b * t9d;
+      h11b = 0.0;
+      h11bd = 0.0;
+      t10b = -(t11b * sin(t10));
+      t10bd = -(t11bd * sin(t10) + t11b * (cos(t10) * t10d));
+      tb10 = t10b / p_road1_2;
+      tb10d = (t10bd - tb10 * p_road1_2d) * (1.0 / p_road1_2);
+      xb += tb10 * 6.28318530717958647693;
+      xbd += tb10d * 6.28318530717958647693;
+      p_road1_2b = -(tb10 * t10);
+      p_road1_2bd = -(tb10d * t10 + tb10 * t10d);
+      tb9 = t9b / p_road1_2;
+      tb9d = (t9bd - tb9 * p_road1_2d) * (1.0 / p_road1_2);
+      p_road4b = tb9 * 6.28318530717958647693;
+      p_road4bd = tb9d * 6.28318530717958647693;
+      p_road1_2b -= tb9 * t9;
+      p_road1_2bd -= tb9d * t9 + tb9 * t9d;
+      p_road4b += h10b * t8;
+      p_road4bd += h10bd * t8 + h10b * t8d;
+      t8b = h10b * p_road4;
+      t8bd = h10bd * p_road4 + h10b * p_road4d;
+      h10b = 0.0;
+      h10bd = 0.0;
+      pb[t->roadadr[road]] += p_road4b;
+      pbd[t->roadadr[road]] += p_road4bd;
+      t7b = t8b * cos(t7);
+      t7bd = t8bd * cos(t7) - t8b * (sin(t7) * t7d);
+      tb8 = t7b / p_road1_2;
+      tb8d = (t7bd - tb8 * p_road1_2d) * (1.0 / p_road1_2);
+      xb += tb8 * 6.28318530717958647693;
+      xbd += tb8d * 6.28318530717958647693;
+      p_road1_2b -= tb8 * t7;
+      p_road1_2bd -= tb8d * t7 + tb8 * t7d;
+      pb[t->roadadr[road] + 1] += p_road1_2b;
+      pbd[t->roadadr[road] + 1] += p_road1_2bd;
+    }
+    g0b += xb;
+    g0bd += xbd;
+    t6b = xb * (g2 - h00);
+    t6bd = xbd * (g2 - h00) + xb * (g2d - h00d);
+    tb7 = xb * t6;
+    tb7d = xbd * t6 + xb * t6d;
+    g2b += tb7;
+    g2bd += tb7d;
+    h00b = -tb7;
+    h00bd = -tb7d;
+    tb6 = t6b / t5;
+    tb6d = (t6bd - tb6 * t5d) * (1.0 / t5);
+    u2b += tb6 * u0;
+    u2bd += tb6d * u0 + tb6 * u0d;
+    u0b += tb6 * u2;
+    u0bd += tb6d * u2 + tb6 * u2d;
+    t5b = -(tb6 * t6);
+    t5bd = -(tb6d * t6 + tb6 * t6d);
+    u0b += t5b * u0;
+    u0bd += t5bd * u0 + t5b * u0d;
+    u0b += t5b * u0;
+    u0bd += t5bd * u0 + t5b * u0d;
+    u1b += t5b * u1;
+    u1bd += t5bd * u1 + t5b * u1d;
+    u1b += t5b * u1;
+    u1bd += t5bd * u1 + t5b * u1d;
+    x2b = 0.0;
+    x2bd = 0.0;
+    /* height of the road above its point at x ahead of it, and its slope */
+    if (t->roadkind[road] == MAGGI_ROAD_FLAT) {
+      p_road = p[t->roadadr[road]];
+      p_roadd = pd[t->roadadr[road]];
+      p_roadb = h00b * x2;
+      p_roadbd = h00bd * x2 + h00b * x2d;
+      x2b += h00b * p_road;
+      x2bd += h00bd * p_road + h00b * p_roadd;
+      h00b = 0.0;
+      h00bd = 0.0;
+      pb[t->roadadr[road]] += p_roadb;
+      pbd[t->roadadr[road]] += p_roadbd;
+    } else {
+      p_road1 = p[t->roadadr[road] + 1];
+      p_road1d = pd[t->roadadr[road] + 1];
+      t3 = 6.28318530717958647693 * x2 / p_road1;
+      t3d = (6.28318530717958647693 * x2d - t3 * p_road1d) * (1.0 / p_road1);
+      t4 = sin(t3);
+      t4d = cos(t3) * t3d;
+      p_road2 = p[t->roadadr[road]];
+      p_road2d = pd[t->roadadr[road]];
+      p_road2b = h00b * t4;
+      p_road2bd = h00bd * t4 + h00b * t4d;
+      t4b = h00b * p_road2;
+      t4bd = h00bd * p_road2 + h00b * p_road2d;
+      h00b = 0.0;
+      h00bd = 0.0;
+      pb[t->roadadr[road]] += p_road2b;
+      pbd[t->roadadr[road]] += p_road2bd;
+      t3b = t4b * cos(t3);
+      t3bd = t4bd * cos(t3) - t4b * (sin(t3) * t3d);
+      tb5 = t3b / p_road1;
+      tb5d = (t3bd - tb5 * p_road1d) * (1.0 / p_road1);
+      x2b += tb5 * 6.28318530717958647693;
+      x2bd += tb5d * 6.28318530717958647693;
+      p_road1b = -(tb5 * t3);
+      p_road1bd = -(tb5d * t3 + tb5 * t3d);
+      pb[t->roadadr[road] + 1] += p_road1b;
+      pbd[t->roadadr[road] + 1] += p_road1bd;
+    }
+    g0b += x2b;
+    /* Where the rigid disc of a wheel meets the road: the plane that touches the road where the line from
+     * the centre down the disc meets it, n its normal; then down the disc to that plane,
+     *   e = (u.n u - n) / |u × n|,  r = (c - q).n / |u × n|,  T = u × n / |u × n|,  L = n × T
+     * g: centre c from the point of the road.  arm: r e; z: r, u.n, |u × n| */
+    g0bd += x2bd;
+    rb[t->wheelpoint[i]][2] += g2b;
+    rbd[t->wheelpoint[i]][2] += g2bd;
+    rb[t->roadpoint[road]][2] -= g2b;
+    rbd[t->roadpoint[road]][2] -= g2bd;
+    rb[t->wheelpoint[i]][0] += g0b;
+    rbd[t->wheelpoint[i]][0] += g0bd;
+    rb[t->roadpoint[road]][0] -= g0b;
+    rbd[t->roadpoint[road]][0] -= g0bd;
+    tb4 = u2b / n2;
+    tb4d = (u2bd - tb4 * n2d) * (1.0 / n2);
+    ua2b = tb4;
+    ua2bd = tb4d;
+    n2b = -(tb4 * u2);
+    n2bd = -(tb4d * u2 + tb4 * u2d);
+    tb3 = u1b / n2;
+    tb3d = (u1bd - tb3 * n2d) * (1.0 / n2);
+    ua1b = tb3;
+    ua1bd = tb3d;
+    n2b -= tb3 * u1;
+    n2bd -= tb3d * u1 + tb3 * u1d;
+    tb2 = u0b / n2;
+    tb2d = (u0bd - tb2 * n2d) * (1.0 / n2);
+    ua0b = tb2;
+    ua0bd = tb2d;
+    n2b -= tb2 * u0;
+    n2bd -= tb2d * u0 + tb2 * u0d;
+    t2b = n2b * (1.0 / (2.0 * n2));
+    t2bd = n2bd * (1.0 / (2.0 * n2)) - n2b * (1.0 / (2.0 * n2) * (2.0 * n2d) / (2.0 * n2));
+    ua0b += t2b * ua0;
+    ua0bd += t2bd * ua0 + t2b * ua0d;
+    ua0b += t2b * ua0;
+    ua0bd += t2bd * ua0 + t2b * ua0d;
+    ua1b += t2b * ua1;
+    ua1bd += t2bd * ua1 + t2b * ua1d;
+    ua1b += t2b * ua1;
+    ua1bd += t2bd * ua1 + t2b * ua1d;
+    ua2b += t2b * ua2;
+    ua2bd += t2bd * ua2 + t2b * ua2d;
+    ua2b += t2b * ua2;
+    ua2bd += t2bd * ua2 + t2b * ua2d;
+    Ab[body][6] += ua2b * a00;
+    Abd[body][6] += ua2bd * a00 + ua2b * a00d;
+    a00b = ua2b * A[body][6];
+    a00bd = ua2bd * A[body][6] + ua2b * Ad[body][6];
+    Ab[body][7] += ua2b * a01;
+    Abd[body][7] += ua2bd * a01 + ua2b * a01d;
+    a01b = ua2b * A[body][7];
+    a01bd = ua2bd * A[body][7] + ua2b * Ad[body][7];
+    Ab[body][8] += ua2b * a02;
+    Abd[body][8] += ua2bd * a02 + ua2b * a02d;
+    a02b = ua2b * A[body][8];
+    a02bd = ua2bd * A[body][8] + ua2b * Ad[body][8];
+    Ab[body][3] += ua1b * a00;
+    Abd[body][3] += ua1bd * a00 + ua1b * a00d;
+    a00b += ua1b * A[body][3];
+    a00bd += ua1bd * A[body][3] + ua1b * Ad[body][3];
+    Ab[body][4] += ua1b * a01;
+    Abd[body][4] += ua1bd * a01 + ua1b * a01d;
+    a01b += ua1b * A[body][4];
+    a01bd += ua1bd * A[body][4] + ua1b * Ad[body][4];
+    Ab[body][5] += ua1b * a02;
+    Abd[body][5] += ua1bd * a02 + ua1b * a02d;
+    a02b += ua1b * A[body][5];
+    a02bd += ua1bd * A[body][5] + ua1b * Ad[body][5];
+    Ab[body][0] += ua0b * a00;
+    Abd[body][0] += ua0bd * a00 + ua0b * a00d;
+    a00b += ua0b * A[body][0];
+    a00bd += ua0bd * A[body][0] + ua0b * Ad[body][0];
+    Ab[body][1] += ua0b * a01;
+    Abd[body][1] += ua0bd * a01 + ua0b * a01d;
+    a01b += ua0b * A[body][1];
+    a01bd += ua0bd * A[body][1] + ua0b * Ad[body][1];
+    Ab[body][2] += ua0b * a02;
+    Abd[body][2] += ua0bd * a02 + ua0b * a02d;
+    a02b += ua0b * A[body][2];
+    a02bd += ua0bd * A[body][2] + ua0b * Ad[body][2];
+    pb[t->wheelaxis[i] + 2] += a02b;
+    pbd[t->wheelaxis[i] + 2] += a02bd;
+    pb[t->wheelaxis[i] + 1] += a01b;
+    pbd[t->wheelaxis[i] + 1] += a01bd;
+    pb[t->wheelaxis[i]] += a00b;
+    pbd[t->wheelaxis[i]] += a00bd;
+  }
+}

@@ -725,3 +725,244 @@ void maggi_tyres_d(const maggi_topo *t, const double p[restrict t->np],
     fd[i][5] = -(z0d * (fy - g1)) - z0 * (fyd - g1d) + z1d + (sd * fx + s * fxd);
   }
 }
+
+/* Rates of the coordinates on which wheels turn at which they roll freely, kappa = 0: with V the velocity of
+ * the contact point on the carrier and w the velocity of the wheel by its coordinate
+ *   v = V.t / (Re w.u) */
+void maggi_rolling_d(const maggi_topo *t, const double p[restrict t->np],
+                     const double pd[restrict t->np], const double A[restrict t->nbody + 1][9],
+                     const double Ad[restrict t->nbody + 1][9],
+                     const double b[restrict t->nbody][6], const double bd[restrict t->nbody][6],
+                     const double r[restrict t->npoint][3], const double rd[restrict t->npoint][3],
+                     const double Z[restrict t->nbody + 1][6],
+                     const double Zd[restrict t->nbody + 1][6], double spin[restrict t->nwheel],
+                     double spind[restrict t->nwheel])
+{
+  int adr, body, carrier, i, road;
+  double N0, N0d, N1, N2, N2d, T0, T0d, T1, T1d, T2, T2d, a00, a00d, a01, a01d, a02, a02d, along0,
+      along0d, along1, along1d, along2, along2d, arm0, arm0d, arm1, arm1d, arm2, arm2d, c0, c0d, c1,
+      c1d, c2, c2_2, c2_2d, c2d, c3, c4, c5, c6, c7, c8, c9, fz, fz0, fz0d, fz0inv, fzd, g0, g0d,
+      g2, g2d, h00, h00d, h10, h10d, h11, h11d, n2, n2d, n2inv, n30, n30d, n31, n32, n32d, p2, p2d,
+      p2inv, p3, p3d, p_road, p_road1, p_road1_2, p_road1_2d, p_road1_2inv, p_road1d, p_road1inv,
+      p_road2, p_road2d, p_road3, p_road3d, p_road4, p_road4d, p_roadd, r2, r2d, ratio, ratiod, re,
+      red, rhov, rhovd, s, sd, sinv, t10, t10d, t11, t11d, t12, t12d, t13, t13d, t14, t14d, t15,
+      t15d, t16, t16d, t17, t17d, t17inv, t2, t2d, t3, t3d, t4, t4d, t5, t5d, t5inv, t6, t6d, t7,
+      t7d, t8, t8d, t9, t9d, u0, u0d, u1, u1d, u2, u2d, ua0, ua0d, ua1, ua1d, ua2, ua2d, un0, un0d,
+      un1, un1d, un2, un2d, v0, v0d, v1, v1d, v2, v2d, w0, w0d, w1, w1d, w2, w2_2, w2_2d, w2d,
+      w2inv, wr0, wr0d, wr1, wr1d, wr2, wr2d, x, x2, x2d, xd, z0, z0d, z2, z2d, z2inv;
+
+  for (i = 0; i < t->nwheel; ++i) {
+    adr = t->tyreadr[t->wheeltyre[i]];
+    body = t->wheelbody[i];
+    carrier = t->wheelcarrier[i];
+    road = t->wheelroad[i];
+    a00 = p[t->wheelaxis[i]];
+    a00d = pd[t->wheelaxis[i]];
+    a01 = p[t->wheelaxis[i] + 1];
+    a01d = pd[t->wheelaxis[i] + 1];
+    a02 = p[t->wheelaxis[i] + 2];
+    a02d = pd[t->wheelaxis[i] + 2];
+    ua0 = A[body][0] * a00 + A[body][1] * a01 + A[body][2] * a02;
+    ua0d = Ad[body][0] * a00 + A[body][0] * a00d + (Ad[body][1] * a01 + A[body][1] * a01d) +
+        (Ad[body][2] * a02 + A[body][2] * a02d);
+    ua1 = A[body][3] * a00 + A[body][4] * a01 + A[body][5] * a02;
+    ua1d = Ad[body][3] * a00 + A[body][3] * a00d + (Ad[body][4] * a01 + A[body][4] * a01d) +
+        (Ad[body][5] * a02 + A[body][5] * a02d);
+    ua2 = A[body][6] * a00 + A[body][7] * a01 + A[body][8] * a02;
+    ua2d = Ad[body][6] * a00 + A[body][6] * a00d + (Ad[body][7] * a01 + A[body][7] * a01d) +
+        (Ad[body][8] * a02 + A[body][8] * a02d);
+    t2 = ua0 * ua0 + ua1 * ua1 + ua2 * ua2;
+    t2d = ua0d * ua0 + ua0 * ua0d + (ua1d * ua1 + ua1 * ua1d) + (ua2d * ua2 + ua2 * ua2d);
+    n2 = sqrt(t2);
+    c3 = 1.0 / (2.0 * n2);
+    n2d = c3 * t2d;
+    u0 = ua0 / n2;
+    n2inv = 1.0 / n2;
+    u0d = (ua0d - u0 * n2d) * n2inv;
+    u1 = ua1 / n2;
+    u1d = (ua1d - u1 * n2d) * n2inv;
+    u2 = ua2 / n2;
+    u2d = (ua2d - u2 * n2d) * n2inv;
+    g0 = r[t->wheelpoint[i]][0] - r[t->roadpoint[road]][0];
+    g0d = rd[t->wheelpoint[i]][0] - rd[t->roadpoint[road]][0];
+    g2 = r[t->wheelpoint[i]][2] - r[t->roadpoint[road]][2];
+    g2d = rd[t->wheelpoint[i]][2] - rd[t->roadpoint[road]][2];
+    x2 = g0;
+    /* Where the rigid disc of a wheel meets the road: the plane that touches the road where the line from
+     * the centre down the disc meets it, n its normal; then down the disc to that plane,
+     *   e = (u.n u - n) / |u × n|,  r = (c - q).n / |u × n|,  T = u × n / |u × n|,  L = n × T
+     * g: centre c from the point of the road.  arm: r e; z: r, u.n, |u × n| */
+    x2d = g0d;
+    /* height of the road above its point at x ahead of it, and its slope */
+    if (t->roadkind[road] == MAGGI_ROAD_FLAT) {
+      p_road = p[t->roadadr[road]];
+      p_roadd = pd[t->roadadr[road]];
+      h00 = p_road * x2;
+      h00d = p_roadd * x2 + p_road * x2d;
+    } else {
+      p_road1 = p[t->roadadr[road] + 1];
+      p_road1d = pd[t->roadadr[road] + 1];
+      t3 = 6.28318530717958647693 * x2 / p_road1;
+      p_road1inv = 1.0 / p_road1;
+      t3d = (6.28318530717958647693 * x2d - t3 * p_road1d) * p_road1inv;
+      t4 = sin(t3);
+      c4 = cos(t3);
+      t4d = c4 * t3d;
+      p_road2 = p[t->roadadr[road]];
+      p_road2d = pd[t->roadadr[road]];
+      h00 = p_road2 * t4;
+      h00d = p_road2d * t4 + p_road2 * t4d;
+    }
+    t5 = u0 * u0 + u1 * u1;
+    t5d = u0d * u0 + u0 * u0d + (u1d * u1 + u1 * u1d);
+    t6 = u2 * u0 / t5;
+    t5inv = 1.0 / t5;
+    t6d = (u2d * u0 + u2 * u0d - t6 * t5d) * t5inv;
+    x = g0 + t6 * (g2 - h00);
+    xd = g0d + (t6d * (g2 - h00) + t6 * (g2d - h00d));
+    /* height of the road above its point at x ahead of it, and its slope */
+    if (t->roadkind[road] == MAGGI_ROAD_FLAT) {
+      p_road3 = p[t->roadadr[road]];
+      p_road3d = pd[t->roadadr[road]];
+      h10 = p_road3 * x;
+      h10d = p_road3d * x + p_road3 * xd;
+      h11 = p_road3;
+      h11d = p_road3d;
+    } else {
+      p_road1_2 = p[t->roadadr[road] + 1];
+      p_road1_2d = pd[t->roadadr[road] + 1];
+      t7 = 6.28318530717958647693 * x / p_road1_2;
+      p_road1_2inv = 1.0 / p_road1_2;
+      t7d = (6.28318530717958647693 * xd - t7 * p_road1_2d) * p_road1_2inv;
+      t8 = sin(t7);
+      c5 = cos(t7);
+      t8d = c5 * t7d;
+      p_road4 = p[t->roadadr[road]];
+      p_road4d = pd[t->roadadr[road]];
+      h10 = p_road4 * t8;
+      h10d = p_road4d * t8 + p_road4 * t8d;
+      t9 = p_road4 * 6.28318530717958647693 / p_road1_2;
+      t9d = (p_road4d * 6.28318530717958647693 - t9 * p_road1_2d) * p_road1_2inv;
+      t10 = 6.28318530717958647693 * x / p_road1_2;
+      t10d = (6.28318530717958647693 * xd - t10 * p_road1_2d) * p_road1_2inv;
+      t11 = cos(t10);
+      c6 = -sin(t10);
+      t11d = c6 * t10d;
+      h11 = t9 * t11;
+      h11d = t9d * t11 + t9 * t11d;
+    }
+    t12 = 1.0 + h11 * h11;
+    t12d = h11d * h11 + h11 * h11d;
+    s = sqrt(t12);
+    c7 = 1.0 / (2.0 * s);
+    sd = c7 * t12d;
+    n30 = -h11 / s;
+    sinv = 1.0 / s;
+    n30d = (-h11d - n30 * sd) * sinv;
+    n31 = 0.0;
+    n32 = 1.0 / s;
+    n32d = -(n32 * sd * sinv);
+    c2 = u0 * n30 + u1 * n31 + u2 * n32;
+    c2d = u0d * n30 + u0 * n30d + u1d * n31 + (u2d * n32 + u2 * n32d);
+    un0 = u1 * n32 - u2 * n31;
+    un0d = u1d * n32 + u1 * n32d - u2d * n31;
+    un1 = u2 * n30 - u0 * n32;
+    un1d = u2d * n30 + u2 * n30d - (u0d * n32 + u0 * n32d);
+    un2 = u0 * n31 - u1 * n30;
+    un2d = u0d * n31 - (u1d * n30 + u1 * n30d);
+    t13 = un0 * un0 + un1 * un1 + un2 * un2;
+    t13d = un0d * un0 + un0 * un0d + (un1d * un1 + un1 * un1d) + (un2d * un2 + un2 * un2d);
+    w2 = sqrt(t13);
+    c8 = 1.0 / (2.0 * w2);
+    w2d = c8 * t13d;
+    r2 = ((g0 - x) * n30 + (g2 - h10) * n32) / w2;
+    w2inv = 1.0 / w2;
+    r2d = ((g0d - xd) * n30 + (g0 - x) * n30d + ((g2d - h10d) * n32 + (g2 - h10) * n32d) - r2 * w2d)
+        * w2inv;
+    along0 = un0 / w2;
+    along0d = (un0d - along0 * w2d) * w2inv;
+    along1 = un1 / w2;
+    along1d = (un1d - along1 * w2d) * w2inv;
+    along2 = un2 / w2;
+    along2d = (un2d - along2 * w2d) * w2inv;
+    arm0 = r2 * (c2 * u0 - n30) / w2;
+    arm0d = (r2d * (c2 * u0 - n30) + r2 * (c2d * u0 + c2 * u0d - n30d) - arm0 * w2d) * w2inv;
+    T0 = along0;
+    T0d = along0d;
+    N0 = n30;
+    N0d = n30d;
+    arm1 = r2 * (c2 * u1 - n31) / w2;
+    arm1d = (r2d * (c2 * u1 - n31) + r2 * (c2d * u1 + c2 * u1d) - arm1 * w2d) * w2inv;
+    T1 = along1;
+    T1d = along1d;
+    N1 = n31;
+    arm2 = r2 * (c2 * u2 - n32) / w2;
+    arm2d = (r2d * (c2 * u2 - n32) + r2 * (c2d * u2 + c2 * u2d - n32d) - arm2 * w2d) * w2inv;
+    T2 = along2;
+    T2d = along2d;
+    N2 = n32;
+    N2d = n32d;
+    z0 = r2;
+    z0d = r2d;
+    z2 = w2;
+    z2d = w2d;
+    c0 = r[t->wheelpoint[i]][0] + arm0;
+    c0d = rd[t->wheelpoint[i]][0] + arm0d;
+    c1 = r[t->wheelpoint[i]][1] + arm1;
+    c1d = rd[t->wheelpoint[i]][1] + arm1d;
+    c2_2 = r[t->wheelpoint[i]][2] + arm2;
+    c2_2d = rd[t->wheelpoint[i]][2] + arm2d;
+    wr0 = Z[carrier][3];
+    wr0d = Zd[carrier][3];
+    wr1 = Z[carrier][4];
+    wr1d = Zd[carrier][4];
+    wr2 = Z[carrier][5];
+    wr2d = Zd[carrier][5];
+    w0 = wr1 * c2_2 - wr2 * c1;
+    w0d = wr1d * c2_2 + wr1 * c2_2d - (wr2d * c1 + wr2 * c1d);
+    w1 = wr2 * c0 - wr0 * c2_2;
+    w1d = wr2d * c0 + wr2 * c0d - (wr0d * c2_2 + wr0 * c2_2d);
+    w2_2 = wr0 * c1 - wr1 * c0;
+    w2_2d = wr0d * c1 + wr0 * c1d - (wr1d * c0 + wr1 * c0d);
+    v0 = Z[carrier][0] + w0;
+    v0d = Zd[carrier][0] + w0d;
+    v1 = Z[carrier][1] + w1;
+    v1d = Zd[carrier][1] + w1d;
+    v2 = Z[carrier][2] + w2_2;
+    v2d = Zd[carrier][2] + w2_2d;
+    rhov = -(v0 * N0 + v1 * N1 + v2 * N2) / z2;
+    z2inv = 1.0 / z2;
+    rhovd = (-(v0d * N0 + v0 * N0d + v1d * N1 + (v2d * N2 + v2 * N2d)) - rhov * z2d) * z2inv;
+    p2 = p[adr + MAGGI_TYRE_VERTICAL_STIFFNESS];
+    p2d = pd[adr + MAGGI_TYRE_VERTICAL_STIFFNESS];
+    p3 = p[adr + MAGGI_TYRE_UNLOADED_RADIUS];
+    p3d = pd[adr + MAGGI_TYRE_UNLOADED_RADIUS];
+    fz = p2 * (p3 - z0) + p[adr + MAGGI_TYRE_VERTICAL_DAMPING] * rhov;
+    fzd = p2d * (p3 - z0) + p2 * (p3d - z0d) + (pd[adr + MAGGI_TYRE_VERTICAL_DAMPING] * rhov + p[adr
+        + MAGGI_TYRE_VERTICAL_DAMPING] * rhovd);
+    fz0 = p[adr + MAGGI_TYRE_LFZO] * p[adr];
+    fz0d = pd[adr + MAGGI_TYRE_LFZO] * p[adr] + p[adr + MAGGI_TYRE_LFZO] * pd[adr];
+    ratio = fz / fz0;
+    fz0inv = 1.0 / fz0;
+    ratiod = (fzd - ratio * fz0d) * fz0inv;
+    t14 = fz0 / p2;
+    p2inv = 1.0 / p2;
+    t14d = (fz0d - t14 * p2d) * p2inv;
+    t15 = p[adr + MAGGI_TYRE_BREFF] * ratio;
+    t15d = pd[adr + MAGGI_TYRE_BREFF] * ratio + p[adr + MAGGI_TYRE_BREFF] * ratiod;
+    t16 = atan(t15);
+    c9 = 1.0 / (1.0 + t15 * t15);
+    t16d = c9 * t15d;
+    re = p3 - t14 * (p[adr + MAGGI_TYRE_DREFF] * t16 + p[adr + MAGGI_TYRE_FREFF] * ratio);
+    red = p3d - (t14d * (p[adr + MAGGI_TYRE_DREFF] * t16 + p[adr + MAGGI_TYRE_FREFF] * ratio) + t14
+        * (pd[adr + MAGGI_TYRE_DREFF] * t16 + p[adr + MAGGI_TYRE_DREFF] * t16d + (pd[adr +
+        MAGGI_TYRE_FREFF] * ratio + p[adr + MAGGI_TYRE_FREFF] * ratiod)));
+    t17 = re * (b[body][3] * u0 + b[body][4] * u1 + b[body][5] * u2);
+    t17d = red * (b[body][3] * u0 + b[body][4] * u1 + b[body][5] * u2) + re * (bd[body][3] * u0 +
+        b[body][3] * u0d + (bd[body][4] * u1 + b[body][4] * u1d) + (bd[body][5] * u2 + b[body][5] *
+        u2d));
+    t17inv = 1.0 / t17;
+    spind[i] = (v0d * T0 + v0 * T0d + (v1d * T1 + v1 * T1d) + (v2d * T2 + v2 * T2d) - spin[i] *
+        t17d) * t17inv;
+  }
+}

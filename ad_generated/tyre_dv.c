@@ -885,3 +885,284 @@ void maggi_tyres_dv(const maggi_topo *t, const double p[restrict t->np],
     }
   }
 }
+
+/* Rates of the coordinates on which wheels turn at which they roll freely, kappa = 0: with V the velocity of
+ * the contact point on the carrier and w the velocity of the wheel by its coordinate
+ *   v = V.t / (Re w.u) */
+void maggi_rolling_dv(const maggi_topo *t, const double p[restrict t->np],
+                      const double pd[restrict t->np][MAGGI_NDIR],
+                      const double A[restrict t->nbody + 1][9],
+                      const double Ad[restrict t->nbody + 1][9][MAGGI_NDIR],
+                      const double b[restrict t->nbody][6],
+                      const double bd[restrict t->nbody][6][MAGGI_NDIR],
+                      const double r[restrict t->npoint][3],
+                      const double rd[restrict t->npoint][3][MAGGI_NDIR],
+                      const double Z[restrict t->nbody + 1][6],
+                      const double Zd[restrict t->nbody + 1][6][MAGGI_NDIR],
+                      double spin[restrict t->nwheel], double spind[restrict t->nwheel][MAGGI_NDIR],
+                      int nbdirs)
+{
+  int adr, body, carrier, i, nd, road;
+  double N0, N1, N2, T0, T1, T2, a00, a01, a02, along0, along1, along2, arm0, arm1, arm2, c0, c1,
+      c2, c2_2, c3, c4, c5, c6, c7, c8, c9, fz, fz0, fz0inv, g0, g2, h00, h10, h11, n2, n2inv, n30,
+      n31, n32, p2, p2inv, p3, p_road, p_road1, p_road1_2, p_road1_2inv, p_road1inv, p_road2,
+      p_road3, p_road4, r2, ratio, re, rhov, s, sinv, t10, t11, t12, t13, t14, t15, t16, t17,
+      t17inv, t2, t3, t4, t5, t5inv, t6, t7, t8, t9, u0, u1, u2, ua0, ua1, ua2, un0, un1, un2, v0,
+      v1, v2, w0, w1, w2, w2_2, w2inv, wr0, wr1, wr2, x, x2, z0, z2, z2inv;
+  double g0d[MAGGI_NDIR], g2d[MAGGI_NDIR], h00d[MAGGI_NDIR], h10d[MAGGI_NDIR], h11d[MAGGI_NDIR],
+      u0d[MAGGI_NDIR], u1d[MAGGI_NDIR], u2d[MAGGI_NDIR], x2d[MAGGI_NDIR], xd[MAGGI_NDIR];
+
+  (void)nbdirs;
+  for (i = 0; i < t->nwheel; ++i) {
+    adr = t->tyreadr[t->wheeltyre[i]];
+    body = t->wheelbody[i];
+    carrier = t->wheelcarrier[i];
+    road = t->wheelroad[i];
+    a00 = p[t->wheelaxis[i]];
+    a01 = p[t->wheelaxis[i] + 1];
+    a02 = p[t->wheelaxis[i] + 2];
+    ua0 = A[body][0] * a00 + A[body][1] * a01 + A[body][2] * a02;
+    ua1 = A[body][3] * a00 + A[body][4] * a01 + A[body][5] * a02;
+    ua2 = A[body][6] * a00 + A[body][7] * a01 + A[body][8] * a02;
+    t2 = ua0 * ua0 + ua1 * ua1 + ua2 * ua2;
+    n2 = sqrt(t2);
+    c3 = 1.0 / (2.0 * n2);
+    u0 = ua0 / n2;
+    n2inv = 1.0 / n2;
+    u1 = ua1 / n2;
+    u2 = ua2 / n2;
+    g0 = r[t->wheelpoint[i]][0] - r[t->roadpoint[road]][0];
+    g2 = r[t->wheelpoint[i]][2] - r[t->roadpoint[road]][2];
+    x2 = g0;
+#pragma omp simd
+    for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+      double a00d, a01d, a02d, n2d, t2d, ua0d, ua1d, ua2d;
+
+      a00d = pd[t->wheelaxis[i]][nd];
+      a01d = pd[t->wheelaxis[i] + 1][nd];
+      a02d = pd[t->wheelaxis[i] + 2][nd];
+      ua0d = Ad[body][0][nd] * a00 + A[body][0] * a00d + (Ad[body][1][nd] * a01 + A[body][1] * a01d)
+          + (Ad[body][2][nd] * a02 + A[body][2] * a02d);
+      ua1d = Ad[body][3][nd] * a00 + A[body][3] * a00d + (Ad[body][4][nd] * a01 + A[body][4] * a01d)
+          + (Ad[body][5][nd] * a02 + A[body][5] * a02d);
+      ua2d = Ad[body][6][nd] * a00 + A[body][6] * a00d + (Ad[body][7][nd] * a01 + A[body][7] * a01d)
+          + (Ad[body][8][nd] * a02 + A[body][8] * a02d);
+      t2d = ua0d * ua0 + ua0 * ua0d + (ua1d * ua1 + ua1 * ua1d) + (ua2d * ua2 + ua2 * ua2d);
+      n2d = c3 * t2d;
+      u0d[nd] = (ua0d - u0 * n2d) * n2inv;
+      u1d[nd] = (ua1d - u1 * n2d) * n2inv;
+      u2d[nd] = (ua2d - u2 * n2d) * n2inv;
+      g0d[nd] = rd[t->wheelpoint[i]][0][nd] - rd[t->roadpoint[road]][0][nd];
+      g2d[nd] = rd[t->wheelpoint[i]][2][nd] - rd[t->roadpoint[road]][2][nd];
+      /* Where the rigid disc of a wheel meets the road: the plane that touches the road where the line from
+       * the centre down the disc meets it, n its normal; then down the disc to that plane,
+       *   e = (u.n u - n) / |u × n|,  r = (c - q).n / |u × n|,  T = u × n / |u × n|,  L = n × T
+       * g: centre c from the point of the road.  arm: r e; z: r, u.n, |u × n| */
+      x2d[nd] = g0d[nd];
+    }
+    /* height of the road above its point at x ahead of it, and its slope */
+    if (t->roadkind[road] == MAGGI_ROAD_FLAT) {
+      p_road = p[t->roadadr[road]];
+      h00 = p_road * x2;
+#pragma omp simd
+      for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+        double p_roadd;
+
+        p_roadd = pd[t->roadadr[road]][nd];
+        h00d[nd] = p_roadd * x2 + p_road * x2d[nd];
+      }
+    } else {
+      p_road1 = p[t->roadadr[road] + 1];
+      t3 = 6.28318530717958647693 * x2 / p_road1;
+      p_road1inv = 1.0 / p_road1;
+      t4 = sin(t3);
+      c4 = cos(t3);
+      p_road2 = p[t->roadadr[road]];
+      h00 = p_road2 * t4;
+#pragma omp simd
+      for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+        double p_road1d, p_road2d, t3d, t4d;
+
+        p_road1d = pd[t->roadadr[road] + 1][nd];
+        t3d = (6.28318530717958647693 * x2d[nd] - t3 * p_road1d) * p_road1inv;
+        t4d = c4 * t3d;
+        p_road2d = pd[t->roadadr[road]][nd];
+        h00d[nd] = p_road2d * t4 + p_road2 * t4d;
+      }
+    }
+    t5 = u0 * u0 + u1 * u1;
+    t6 = u2 * u0 / t5;
+    t5inv = 1.0 / t5;
+    x = g0 + t6 * (g2 - h00);
+#pragma omp simd
+    for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+      double t5d, t6d;
+
+      t5d = u0d[nd] * u0 + u0 * u0d[nd] + (u1d[nd] * u1 + u1 * u1d[nd]);
+      t6d = (u2d[nd] * u0 + u2 * u0d[nd] - t6 * t5d) * t5inv;
+      xd[nd] = g0d[nd] + (t6d * (g2 - h00) + t6 * (g2d[nd] - h00d[nd]));
+    }
+    /* height of the road above its point at x ahead of it, and its slope */
+    if (t->roadkind[road] == MAGGI_ROAD_FLAT) {
+      p_road3 = p[t->roadadr[road]];
+      h10 = p_road3 * x;
+      h11 = p_road3;
+#pragma omp simd
+      for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+        double p_road3d;
+
+        p_road3d = pd[t->roadadr[road]][nd];
+        h10d[nd] = p_road3d * x + p_road3 * xd[nd];
+        h11d[nd] = p_road3d;
+      }
+    } else {
+      p_road1_2 = p[t->roadadr[road] + 1];
+      t7 = 6.28318530717958647693 * x / p_road1_2;
+      p_road1_2inv = 1.0 / p_road1_2;
+      t8 = sin(t7);
+      c5 = cos(t7);
+      p_road4 = p[t->roadadr[road]];
+      h10 = p_road4 * t8;
+      t9 = p_road4 * 6.28318530717958647693 / p_road1_2;
+      t10 = 6.28318530717958647693 * x / p_road1_2;
+      t11 = cos(t10);
+      c6 = -sin(t10);
+      h11 = t9 * t11;
+#pragma omp simd
+      for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+        double p_road1_2d, p_road4d, t10d, t11d, t7d, t8d, t9d;
+
+        p_road1_2d = pd[t->roadadr[road] + 1][nd];
+        t7d = (6.28318530717958647693 * xd[nd] - t7 * p_road1_2d) * p_road1_2inv;
+        t8d = c5 * t7d;
+        p_road4d = pd[t->roadadr[road]][nd];
+        h10d[nd] = p_road4d * t8 + p_road4 * t8d;
+        t9d = (p_road4d * 6.28318530717958647693 - t9 * p_road1_2d) * p_road1_2inv;
+        t10d = (6.28318530717958647693 * xd[nd] - t10 * p_road1_2d) * p_road1_2inv;
+        t11d = c6 * t10d;
+        h11d[nd] = t9d * t11 + t9 * t11d;
+      }
+    }
+    t12 = 1.0 + h11 * h11;
+    s = sqrt(t12);
+    c7 = 1.0 / (2.0 * s);
+    n30 = -h11 / s;
+    sinv = 1.0 / s;
+    n31 = 0.0;
+    n32 = 1.0 / s;
+    c2 = u0 * n30 + u1 * n31 + u2 * n32;
+    un0 = u1 * n32 - u2 * n31;
+    un1 = u2 * n30 - u0 * n32;
+    un2 = u0 * n31 - u1 * n30;
+    t13 = un0 * un0 + un1 * un1 + un2 * un2;
+    w2 = sqrt(t13);
+    c8 = 1.0 / (2.0 * w2);
+    r2 = ((g0 - x) * n30 + (g2 - h10) * n32) / w2;
+    w2inv = 1.0 / w2;
+    along0 = un0 / w2;
+    along1 = un1 / w2;
+    along2 = un2 / w2;
+    arm0 = r2 * (c2 * u0 - n30) / w2;
+    T0 = along0;
+    N0 = n30;
+    arm1 = r2 * (c2 * u1 - n31) / w2;
+    T1 = along1;
+    N1 = n31;
+    arm2 = r2 * (c2 * u2 - n32) / w2;
+    T2 = along2;
+    N2 = n32;
+    z0 = r2;
+    z2 = w2;
+    c0 = r[t->wheelpoint[i]][0] + arm0;
+    c1 = r[t->wheelpoint[i]][1] + arm1;
+    c2_2 = r[t->wheelpoint[i]][2] + arm2;
+    wr0 = Z[carrier][3];
+    wr1 = Z[carrier][4];
+    wr2 = Z[carrier][5];
+    w0 = wr1 * c2_2 - wr2 * c1;
+    w1 = wr2 * c0 - wr0 * c2_2;
+    w2_2 = wr0 * c1 - wr1 * c0;
+    v0 = Z[carrier][0] + w0;
+    v1 = Z[carrier][1] + w1;
+    v2 = Z[carrier][2] + w2_2;
+    rhov = -(v0 * N0 + v1 * N1 + v2 * N2) / z2;
+    z2inv = 1.0 / z2;
+    p2 = p[adr + MAGGI_TYRE_VERTICAL_STIFFNESS];
+    p3 = p[adr + MAGGI_TYRE_UNLOADED_RADIUS];
+    fz = p2 * (p3 - z0) + p[adr + MAGGI_TYRE_VERTICAL_DAMPING] * rhov;
+    fz0 = p[adr + MAGGI_TYRE_LFZO] * p[adr];
+    ratio = fz / fz0;
+    fz0inv = 1.0 / fz0;
+    t14 = fz0 / p2;
+    p2inv = 1.0 / p2;
+    t15 = p[adr + MAGGI_TYRE_BREFF] * ratio;
+    t16 = atan(t15);
+    c9 = 1.0 / (1.0 + t15 * t15);
+    re = p3 - t14 * (p[adr + MAGGI_TYRE_DREFF] * t16 + p[adr + MAGGI_TYRE_FREFF] * ratio);
+    t17 = re * (b[body][3] * u0 + b[body][4] * u1 + b[body][5] * u2);
+    t17inv = 1.0 / t17;
+#pragma omp simd
+    for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+      double N0d, N2d, T0d, T1d, T2d, along0d, along1d, along2d, arm0d, arm1d, arm2d, c0d, c1d,
+          c2_2d, c2d, fz0d, fzd, n30d, n32d, p2d, p3d, r2d, ratiod, red, rhovd, sd, t12d, t13d,
+          t14d, t15d, t16d, t17d, un0d, un1d, un2d, v0d, v1d, v2d, w0d, w1d, w2_2d, w2d, wr0d, wr1d,
+          wr2d, z0d, z2d;
+
+      t12d = h11d[nd] * h11 + h11 * h11d[nd];
+      sd = c7 * t12d;
+      n30d = (-h11d[nd] - n30 * sd) * sinv;
+      n32d = -(n32 * sd * sinv);
+      c2d = u0d[nd] * n30 + u0 * n30d + u1d[nd] * n31 + (u2d[nd] * n32 + u2 * n32d);
+      un0d = u1d[nd] * n32 + u1 * n32d - u2d[nd] * n31;
+      un1d = u2d[nd] * n30 + u2 * n30d - (u0d[nd] * n32 + u0 * n32d);
+      un2d = u0d[nd] * n31 - (u1d[nd] * n30 + u1 * n30d);
+      t13d = un0d * un0 + un0 * un0d + (un1d * un1 + un1 * un1d) + (un2d * un2 + un2 * un2d);
+      w2d = c8 * t13d;
+      r2d = ((g0d[nd] - xd[nd]) * n30 + (g0 - x) * n30d + ((g2d[nd] - h10d[nd]) * n32 + (g2 - h10) *
+          n32d) - r2 * w2d) * w2inv;
+      along0d = (un0d - along0 * w2d) * w2inv;
+      along1d = (un1d - along1 * w2d) * w2inv;
+      along2d = (un2d - along2 * w2d) * w2inv;
+      arm0d = (r2d * (c2 * u0 - n30) + r2 * (c2d * u0 + c2 * u0d[nd] - n30d) - arm0 * w2d) * w2inv;
+      T0d = along0d;
+      N0d = n30d;
+      arm1d = (r2d * (c2 * u1 - n31) + r2 * (c2d * u1 + c2 * u1d[nd]) - arm1 * w2d) * w2inv;
+      T1d = along1d;
+      arm2d = (r2d * (c2 * u2 - n32) + r2 * (c2d * u2 + c2 * u2d[nd] - n32d) - arm2 * w2d) * w2inv;
+      T2d = along2d;
+      N2d = n32d;
+      z0d = r2d;
+      z2d = w2d;
+      c0d = rd[t->wheelpoint[i]][0][nd] + arm0d;
+      c1d = rd[t->wheelpoint[i]][1][nd] + arm1d;
+      c2_2d = rd[t->wheelpoint[i]][2][nd] + arm2d;
+      wr0d = Zd[carrier][3][nd];
+      wr1d = Zd[carrier][4][nd];
+      wr2d = Zd[carrier][5][nd];
+      w0d = wr1d * c2_2 + wr1 * c2_2d - (wr2d * c1 + wr2 * c1d);
+      w1d = wr2d * c0 + wr2 * c0d - (wr0d * c2_2 + wr0 * c2_2d);
+      w2_2d = wr0d * c1 + wr0 * c1d - (wr1d * c0 + wr1 * c0d);
+      v0d = Zd[carrier][0][nd] + w0d;
+      v1d = Zd[carrier][1][nd] + w1d;
+      v2d = Zd[carrier][2][nd] + w2_2d;
+      rhovd = (-(v0d * N0 + v0 * N0d + v1d * N1 + (v2d * N2 + v2 * N2d)) - rhov * z2d) * z2inv;
+      p2d = pd[adr + MAGGI_TYRE_VERTICAL_STIFFNESS][nd];
+      p3d = pd[adr + MAGGI_TYRE_UNLOADED_RADIUS][nd];
+      fzd = p2d * (p3 - z0) + p2 * (p3d - z0d) + (pd[adr + MAGGI_TYRE_VERTICAL_DAMPING][nd] * rhov +
+          p[adr + MAGGI_TYRE_VERTICAL_DAMPING] * rhovd);
+      fz0d = pd[adr + MAGGI_TYRE_LFZO][nd] * p[adr] + p[adr + MAGGI_TYRE_LFZO] * pd[adr][nd];
+      ratiod = (fzd - ratio * fz0d) * fz0inv;
+      t14d = (fz0d - t14 * p2d) * p2inv;
+      t15d = pd[adr + MAGGI_TYRE_BREFF][nd] * ratio + p[adr + MAGGI_TYRE_BREFF] * ratiod;
+      t16d = c9 * t15d;
+      red = p3d - (t14d * (p[adr + MAGGI_TYRE_DREFF] * t16 + p[adr + MAGGI_TYRE_FREFF] * ratio) +
+          t14 * (pd[adr + MAGGI_TYRE_DREFF][nd] * t16 + p[adr + MAGGI_TYRE_DREFF] * t16d + (pd[adr +
+          MAGGI_TYRE_FREFF][nd] * ratio + p[adr + MAGGI_TYRE_FREFF] * ratiod)));
+      t17d = red * (b[body][3] * u0 + b[body][4] * u1 + b[body][5] * u2) + re * (bd[body][3][nd] *
+          u0 + b[body][3] * u0d[nd] + (bd[body][4][nd] * u1 + b[body][4] * u1d[nd]) +
+          (bd[body][5][nd] * u2 + b[body][5] * u2d[nd]));
+      spind[i][nd] = (v0d * T0 + v0 * T0d + (v1d * T1 + v1 * T1d) + (v2d * T2 + v2 * T2d) - spin[i]
+          * t17d) * t17inv;
+    }
+  }
+}

@@ -69,6 +69,7 @@
   X(vcol, nqblock, "velocities of columns")                                                        \
   X(acol, nqblock, "accelerations of columns")                                                     \
   X(fr, nqblock, "reduced forces")                                                                 \
+  X(spin, nwheel, "rates of coordinates at which wheels roll freely")                              \
   X(dinv, nq, "inverse pivots of the reduced mass matrix")                                         \
   X(drive, nq, "torques and forces of guides by columns")                                          \
   X(space, nq16, "work space of solves")                                                           \

@@ -55,6 +55,9 @@ enum { MAGGI_JSPRING_K, MAGGI_JSPRING_C, MAGGI_JSPRING_REST, MAGGI_JSPRING_PRELO
 enum { MAGGI_DRAG_RHO, MAGGI_DRAG_C, MAGGI_DRAG_AREA, MAGGI_DRAG_LOW, MAGGI_DRAG_WIND };
 enum { MAGGI_SPEED_TARGET, MAGGI_SPEED_GAIN, MAGGI_SPEED_TORQUE, MAGGI_SPEED_LOW };
 
+/* what sensors are made of: accelerations, multipliers of loops */
+enum { MAGGI_NEED_ACCELERATION = 1, MAGGI_NEED_MULTIPLIER = 2 };
+
 #define MAGGI_TOPO_SIZES(X)                                                                        \
   X(nbody, "expanded bodies without the ground")                                                   \
   X(nq, "coordinates")                                                                             \
@@ -86,6 +89,7 @@ enum { MAGGI_SPEED_TARGET, MAGGI_SPEED_GAIN, MAGGI_SPEED_TORQUE, MAGGI_SPEED_LOW
   X(nguide, "guided coordinates")                                                                  \
   X(nbase, "prismatic joints that carry the whole model")                                          \
   X(nsensor, "sensors")                                                                            \
+  X(nterm, "terms of sensors that are sums of others")                                             \
   X(nfilter, "filters")                                                                            \
   X(nstate, "states of filters")
 
@@ -182,7 +186,13 @@ enum { MAGGI_SPEED_TARGET, MAGGI_SPEED_GAIN, MAGGI_SPEED_TORQUE, MAGGI_SPEED_LOW
   X(sensorkind, nsensor, "maggi_sensor_type")                                                      \
   X(sensorbody, nsensor, "body")                                                                   \
   X(sensorpoint, nsensor, "point")                                                                 \
-  X(sensorelement, nsensor, "spring, spring on coordinates, wheel, or building block of a rod")    \
+  X(sensorelement, nsensor,                                                                        \
+    "spring, spring on coordinates, wheel, building block of a rod, or first term")                \
+  X(sensoradr, nsensor, "address of its numbers, or of the weights of a sum")                      \
+  X(sensorterms, nsensor, "number of terms")                                                       \
+  X(sensorneed, nsensor, "MAGGI_NEED_.., besides positions and velocities")                        \
+  X(termsensor, nterm, "sensor, before the sum")                                                   \
+  X(termcolumn, nterm, "which of its numbers")\
   X(filtersensor, nfilter, "sensor")                                                               \
   X(filtercolumn, nfilter, "its column: 0, 1, 2")                                                  \
   X(filterstate, nfilter, "first state")                                                           \

@@ -327,3 +327,39 @@ void maggi_wheel(int axis, int adr, int mirror, int grip, int kind, int roadadr,
   slip[3] = fz;
   slip[4] = vx;
 }
+
+/* Rates of the coordinates on which wheels turn at which they roll freely, kappa = 0: with V the velocity of
+ * the contact point on the carrier and w the velocity of the wheel by its coordinate
+ *   v = V.t / (Re w.u) */
+void maggi_rolling(const maggi_topo *t, const double p[t->np], const double A[t->nbody + 1][9],
+                   const double b[t->nbody][6], const double r[t->npoint][3],
+                   const double Z[t->nbody + 1][6], double spin[t->nwheel])
+{
+  int i, k, adr, body, carrier, road;
+  double n, fz, fz0, ratio, re, rhov;
+  double a0[3], ua[3], u[3], g[3], arm[3], T[3], L[3], N[3], z[3], c[3], w[3], v[3], wr[3];
+
+  for (i = 0; i < t->nwheel; ++i) {
+    adr = t->tyreadr[t->wheeltyre[i]];
+    body = t->wheelbody[i];
+    carrier = t->wheelcarrier[i];
+    road = t->wheelroad[i];
+    for (k = 0; k < 3; ++k) a0[k] = p[t->wheelaxis[i] + k];
+    maggi_mul(A[body], a0, ua);
+    n = sqrt(maggi_dot(ua, ua));
+    for (k = 0; k < 3; ++k) u[k] = ua[k] / n;
+    for (k = 0; k < 3; ++k) g[k] = r[t->wheelpoint[i]][k] - r[t->roadpoint[road]][k];
+    contact(t->roadkind[road], t->roadadr[road], t->np, p, u, g, arm, T, L, N, z);
+    for (k = 0; k < 3; ++k) c[k] = r[t->wheelpoint[i]][k] + arm[k];
+    for (k = 0; k < 3; ++k) wr[k] = Z[carrier][k + 3];
+    maggi_cross(wr, c, w);
+    for (k = 0; k < 3; ++k) v[k] = Z[carrier][k] + w[k];
+    rhov = -maggi_dot(v, N) / z[2];
+    fz = C(VERTICAL_STIFFNESS) * (C(UNLOADED_RADIUS) - z[0]) + C(VERTICAL_DAMPING) * rhov;
+    fz0 = C(LFZO) * C(FNOMIN);
+    ratio = fz / fz0;
+    re = C(UNLOADED_RADIUS) -
+         fz0 / C(VERTICAL_STIFFNESS) * (C(DREFF) * atan(C(BREFF) * ratio) + C(FREFF) * ratio);
+    spin[i] = maggi_dot(v, T) / (re * (b[body][3] * u[0] + b[body][4] * u[1] + b[body][5] * u[2]));
+  }
+}

@@ -15,7 +15,7 @@ void maggi_model_get_info(const maggi_model *m, maggi_model_info *info)
   info->loop_equations = m->topo.nrow;
   info->parameters = m->nparameter;
   info->sensors = m->topo.nsensor;
-  info->sensor_columns = 3 * m->topo.nsensor;
+  info->sensor_columns = m->ncolumn;
   info->filters = m->topo.nfilter;
   info->filter_states = m->topo.nstate;
   info->simulation = m->simulation;
@@ -74,12 +74,12 @@ int maggi_loop_rows(const maggi_model *m, int loop)
 
 const char *maggi_sensor_column_name(const maggi_model *m, int column)
 {
-  return in(column, 3 * m->topo.nsensor) ? m->sensorcolumn[column] : NULL;
+  return in(column, m->ncolumn) ? m->sensorcolumn[column] : NULL;
 }
 
 const char *maggi_sensor_column_unit(const maggi_model *m, int column)
 {
-  return in(column, 3 * m->topo.nsensor) ? m->sensorunit[column] : NULL;
+  return in(column, m->ncolumn) ? m->sensorunit[column] : NULL;
 }
 
 const char *maggi_coordinate_motion(const maggi_model *m, int coordinate)

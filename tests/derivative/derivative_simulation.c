@@ -66,8 +66,8 @@ static int group_of(const simulation *s, int signal)
   signal -= 3;
   if (signal < 6 * s->m->nbody) return 4 + signal % 6 / 3;
   signal -= 6 * s->m->nbody;
-  if (signal < 3 * s->d->t.nsensor) return 6 + signal / 3;
-  return 6 + s->d->t.nsensor + signal - 3 * s->d->t.nsensor;
+  if (signal < s->m->ncolumn) return 6 + s->m->sensorplace[signal] / 3;
+  return 6 + s->d->t.nsensor + signal - s->m->ncolumn;
 }
 
 static void check_name(const simulation *s, int signal, const char *name, const char *suffix)
@@ -84,7 +84,7 @@ static void check_names(const simulation *s)
   static const char *const motion[3] = {".q", ".v", ".a"};
   static const char *const energy[3] = {"kinetic", "potential", "total"};
   static const char *const wrench[6] = {".fx", ".fy", ".fz", ".mx", ".my", ".mz"};
-  int i, n = 0, columns = 3 * s->d->t.nsensor;
+  int i, n = 0, columns = s->m->ncolumn;
 
   for (i = 0; i < 3 * s->m->ncoordinate; ++i)
     check_name(s, n++, maggi_coordinate_name(s->m, i / 3), motion[i % 3]);

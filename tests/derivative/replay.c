@@ -345,7 +345,7 @@ replay_counts replay_count(const replay *r)
 
 int replay_number(const replay *r)
 {
-  return 3 * r->d->m->ncoordinate + 3 + 6 * r->d->m->nbody + 3 * r->t.nsensor + r->t.nfilter;
+  return 3 * r->d->m->ncoordinate + 3 + 6 * r->d->m->nbody + r->d->m->ncolumn + r->t.nfilter;
 }
 
 /* what the parent exerts, at the joint point x of the body; wrench: of all else, at the origin */
@@ -383,7 +383,8 @@ void replay_values(replay *r, reference_number *values)
     k = m->body[i].body;
     reaction(x + 3 * k, wrench + 6 * k, values);
   }
-  memcpy(values, reference_motion_array(r->z, "sensor"), (size_t)r->t.nsensor * 3 * sizeof *values);
-  values += r->t.nsensor * 3;
+  for (i = 0; i < m->ncolumn; ++i)
+    values[i] = reference_motion_array(r->z, "sensor")[m->sensorplace[i]];
+  values += m->ncolumn;
   memcpy(values, reference_motion_array(r->z, "weighted"), (size_t)r->t.nfilter * sizeof *values);
 }

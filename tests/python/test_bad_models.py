@@ -139,6 +139,8 @@ sensors:
     type: position
     body: crank
     point: [0, 0, -1]
+  - {name: slide, type: sideslip, body: crank, low_speed: 0.01}
+  - {name: sum, type: combination, terms: [slide.speed, end.z], weights: [1, 2], unit: m}
 objectives:
   - {name: J1, type: integral_square, signal: coupler.1.q}
   - {name: high, type: smooth_maximum, signal: end.z, sharpness: 50}
@@ -445,15 +447,15 @@ ROWS = [
     ),
     Row(
         "sensor without a body",
-        "body: crank\n    point: [0, 0, -1]\nobjectives",
-        "point: [0, 0, -1]\nobjectives",
+        "body: crank\n    point: [0, 0, -1]\n  - {name: slide",
+        "point: [0, 0, -1]\n  - {name: slide",
         "- name: end",
         '"body" is missing',
     ),
     Row(
         "centre of gravity of the ground",
-        "body: crank\n    point: [0, 0, -1]\nobjectives",
-        "body: ground\nobjectives",
+        "body: crank\n    point: [0, 0, -1]\n  - {name: slide",
+        "body: ground\n  - {name: slide",
         "- name: end",
         "point is missing",
     ),
@@ -492,6 +494,14 @@ ROWS = [
         "- name: end",
         'no key "body"',
     ),
+    Row("no low speed", "low_speed: 0.01", "low_speed: 0", "name: slide", "must be positive"),
+    Row("low speed of a point", "type: sideslip", "type: velocity", "slide", '"low_speed"'),
+    Row("terms of a sideslip", "low_speed: 0.01", "terms: [end.z]", "slide", 'no key "terms"'),
+    Row("sum of nothing", "terms: [slide.speed, end.z], ", "", "name: sum", '"terms" is missing'),
+    Row("sum of a later one", "[slide.speed, end.z]", "[slide.speed, sum.value]", "sum", "before it"),
+    Row("sum of no column", "[slide.speed, end.z]", "[slide.speed, end.w]", "sum", '"end.w"'),
+    Row("weights of a sum", "weights: [1, 2]", "weights: [1]", "weights: [1]", "1 weights for 2"),
+    Row("body of a sum", "type: combination", "type: combination, body: crank", "sum", '"body"'),
     # objectives and design parameters
     Row("unknown objective", "type: integral_square", "type: area", "type: area", '"area"'),
     Row("objective twice", "name: high", "name: J1", "name: J1, type: smooth", "already"),

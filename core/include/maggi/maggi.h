@@ -147,6 +147,8 @@ typedef struct maggi_point_mass_def {
  *   universal    points coincide, axis_a (in body_a) keeps its angle to axis_b  4
  *   cylindrical  the two axes stay on one line                                  4
  *   prismatic    and do not turn about it                                       5
+ *   point_plane  point_a stays in the plane of body_b through point_b whose
+ *                normal is axis_b                                               1
  *
  * A prismatic loop whose axes differ in the file takes the turn about them from the smallest turn that
  * brings one onto the other.
@@ -154,7 +156,7 @@ typedef struct maggi_point_mass_def {
  * share point_a and axis_a (universal always needs axis_b).  When has_b is true and the two sides
  * differ, the model is assembled when a simulation starts.
  * Paths: loops.NAME.point.x, .axis.x; with has_b loops.NAME.point_a.x, .point_b.x, .axis_a.x, ..
- * A universal loop has axis_a and axis_b in either case.
+ * A universal loop has axis_a and axis_b in either case, point_plane one, axis.
  */
 typedef enum maggi_loop_type {
   MAGGI_LOOP_SPHERICAL,
@@ -162,6 +164,7 @@ typedef enum maggi_loop_type {
   MAGGI_LOOP_UNIVERSAL,
   MAGGI_LOOP_CYLINDRICAL,
   MAGGI_LOOP_PRISMATIC,
+  MAGGI_LOOP_POINT_PLANE,
   MAGGI_LOOP_TYPE_COUNT
 } maggi_loop_type;
 
@@ -516,7 +519,7 @@ typedef struct maggi_function_def {
   const double *values;
 } maggi_function_def;
 
-/* A sensor writes three columns:
+/* A sensor writes three columns, a combination one:
  *
  *   position, velocity, acceleration  NAME.x NAME.y NAME.z of a body point [m, m/s, m/s^2], global axes
  *   angles                NAME.roll NAME.pitch NAME.yaw [rad] of R = Rz(yaw) Ry(pitch) Rx(roll), the
@@ -534,10 +537,28 @@ typedef struct maggi_function_def {
  *   tyre_slip             NAME.kappa [-], NAME.alpha [rad], NAME.gamma [rad] of a wheel
  *   tyre_force            NAME.fx NAME.fy NAME.fz [N], at the contact point in its axes
  *   tyre_moment           NAME.mx NAME.my NAME.mz [N m]
+ *   lateral_acceleration  of a body point with velocity v and acceleration a [m/s^2], [1] 3.19-3.21:
+ *                         NAME.exact        |a - (a.v / v.v) v|, what is across the path in space
+ *                         NAME.planar       (v_x a_y - v_y a_x) / |(v_x, v_y)|, positive to the left
+ *                         NAME.approximate  |(a_x, a_y)|
+ *   sideslip              of a body point: NAME.angle [rad] of its velocity in level axes, positive to
+ *                         the left; NAME.speed [m/s], horizontal; NAME.curvature [1/m] of its path
+ *                         seen from above, positive to the left
+ *   level_velocity, level_acceleration  NAME.x NAME.y NAME.z of a body point [m/s, m/s^2] in level axes:
+ *                         global axes turned by the yaw of the body alone, x its forward axis where that
+ *                         is global x in the drawing (the intermediate axes of ISO 8855)
+ *   body_acceleration     NAME.x NAME.y NAME.z of a body point [m/s^2] in axes of the body
+ *   combination           NAME.value, the sum of weights times columns of sensors that stand before it
+ *
+ * Accelerations are those of the motion: nothing is added for gravity.  Level axes have no numbers where
+ * pitch is a right angle.  At rest there is no path: with low = low_speed, v.v is v.v + low^2 where it
+ * divides, so that the columns of lateral_acceleration are |a|, 0 and |(a_x, a_y)| there and those of
+ * sideslip 0; |n|, an acceleration, is n.n / sqrt(n.n + low_acceleration^2).  So all have derivatives, and
+ * are exact but for (low / what is measured)^2.
  *
  * at_cog: the point is the centre of gravity of the body as its `cog` says, or the middle of its bar;
  * then `point` is no parameter.
- * Paths: sensors.NAME.point.x ..
+ * Paths: sensors.NAME.point.x .., .low_speed, .low_acceleration, .weights.1 ..
  */
 typedef enum maggi_sensor_type {
   MAGGI_SENSOR_POSITION,
@@ -553,16 +574,27 @@ typedef enum maggi_sensor_type {
   MAGGI_SENSOR_TYRE_SLIP,
   MAGGI_SENSOR_TYRE_FORCE,
   MAGGI_SENSOR_TYRE_MOMENT,
+  MAGGI_SENSOR_LATERAL_ACCELERATION,
+  MAGGI_SENSOR_SIDESLIP,
+  MAGGI_SENSOR_LEVEL_VELOCITY,
+  MAGGI_SENSOR_LEVEL_ACCELERATION,
+  MAGGI_SENSOR_BODY_ACCELERATION,
+  MAGGI_SENSOR_COMBINATION,
   MAGGI_SENSOR_TYPE_COUNT
 } maggi_sensor_type;
 
 typedef struct maggi_sensor_def {
   const char *name;
   maggi_sensor_type type;
-  const char *body;    /* not of springs and rods */
-  double point[3];     /* of position, velocity, acceleration */
-  int at_cog;          /* true: instead of `point` */
-  const char *element; /* name of the spring, rod or wheel */
+  const char *body;                   /* not of springs, rods, wheels and combinations */
+  double point[3];                    /* of what is said above to be of a point */
+  int at_cog;                         /* true: instead of `point` */
+  const char *element;                /* name of the spring, rod or wheel */
+  double low_speed, low_acceleration; /* positive [m/s, m/s^2]; 1e-3 */
+  int nterm;                          /* of a combination */
+  const char *const *terms;           /* names of columns (nterm) */
+  const double *weights;              /* (nterm); NULL: 1 */
+  const char *unit;                   /* NULL: that of all terms, "-" where they differ */
 } maggi_sensor_def;
 
 /* A filter weights a column of a sensor by frequency, as people feel vibration: a system of first order
@@ -753,7 +785,7 @@ maggi_status maggi_model_multiple_four_bar(int ny, int nz, maggi_model **model);
  *   loops            cut joints and rods
  *   loop_equations   their equations
  *   parameters       length of p
- *   sensor_columns   three for each sensor
+ *   sensor_columns   of all sensors
  *   filters, filter_states
  */
 typedef struct maggi_model_info {
