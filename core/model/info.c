@@ -55,6 +55,16 @@ int maggi_coordinate_is_angle(const maggi_model *m, int coordinate)
   return in(coordinate, m->ncoordinate) && m->coordinate[coordinate].is_angle;
 }
 
+const char *maggi_spring_name(const maggi_model *m, int spring)
+{
+  return in(spring, m->topo.nspring) ? m->springname[spring] : NULL;
+}
+
+const char *maggi_wheel_name(const maggi_model *m, int wheel)
+{
+  return in(wheel, m->topo.nwheel) ? m->wheelname[wheel] : NULL;
+}
+
 const char *maggi_loop_name(const maggi_model *m, int loop)
 {
   return in(loop, m->nloop) ? m->loop[loop].name : NULL;
