@@ -107,22 +107,35 @@ static maggi_status rest(maggi_equilibrium *e)
   return maggi_equilibrium_linearise(e);
 }
 
-maggi_status maggi_equilibrium_motions(maggi_data *d, double rate, double *a_q, double *a_v,
-                                       double *shape)
+/* what its search moves, the mass of these and how the others follow */
+static void get_coordinates(const maggi_data *d, int *coordinate, double *mass, double *shape)
+{
+  const maggi_data *x = d->equilibrium->x;
+  const maggi_topo *t = &x->t;
+  int i, k, q, n = t->nind;
+
+  for (i = 0; i < d->m->ncoordinate; ++i) {
+    q = d->m->coordinate[i].q;
+    if (coordinate && maggi_is_independent(t, q)) coordinate[t->col[q]] = i;
+    for (k = 0; shape && k < n; ++k) shape[i * n + k] = x->R[q * t->stride + k];
+  }
+  for (i = 0; mass && i < n; ++i)
+    for (k = 0; k < n; ++k) mass[i * n + k] = x->Mr[(i < k ? i : k) * t->stride + (i < k ? k : i)];
+}
+
+maggi_status maggi_equilibrium_motions(maggi_data *d, double rate, int *coordinate, double *a_q,
+                                       double *a_v, double *mass, double *shape)
 {
   maggi_equilibrium *e = d->equilibrium;
-  const maggi_topo *t;
   maggi_status status = MAGGI_OK;
-  int i, k, n;
+  size_t bytes;
 
   if (!found(d)) return maggi_data_fail(d, MAGGI_E_MODEL, "there is no static equilibrium");
-  t = &e->x->t;
-  n = t->nind;
-  if (a_q) memcpy(a_q, e->J, (size_t)n * (size_t)n * sizeof(double));
-  for (i = 0; shape && i < d->m->ncoordinate; ++i)
-    for (k = 0; k < n; ++k) shape[i * n + k] = e->x->R[d->m->coordinate[i].q * t->stride + k];
+  bytes = (size_t)e->x->t.nind * (size_t)e->x->t.nind * sizeof(double);
+  get_coordinates(d, coordinate, mass, shape);
+  if (a_q) memcpy(a_q, e->J, bytes);
   if (!a_v) return MAGGI_OK;
-  memset(a_v, 0, (size_t)n * (size_t)n * sizeof(double));
+  memset(a_v, 0, bytes);
   status = add_slopes(e, rate, a_v);
   if (status == MAGGI_OK) status = add_slopes(e, -rate, a_v);
   if (status == MAGGI_OK) status = rest(e);

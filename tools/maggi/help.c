@@ -241,8 +241,8 @@ static const char help_modes[] =
     "  --json               as one JSON object\n"
     "\n"
     "Prints the modes of small motions about the equilibrium of maggi equilibrium, slowest\n"
-    "first: frequency without and with damping, damping ratio, and the coordinate that\n"
-    "moves most (one rad against one m).  A ratio of 1 or -1 is a mode that does not\n"
+    "first: frequency without and with damping, damping ratio, and the coordinate with the\n"
+    "largest share of the kinetic energy.  A ratio of 1 or -1 is a mode that does not\n"
     "oscillate.  Coordinates named in start: hold stay, wheels are vertical springs, and a\n"
     "damper with other slopes in rebound than in compression counts with their mean at\n"
     "rest.  Needs a build with GSL (MAGGI_WITH_GSL).\n";

@@ -2,22 +2,20 @@
 #ifndef TOOL_MODES_H
 #define TOOL_MODES_H
 
-/* An eigenvalue lambda [1/s], and the coordinate that moves most in its mode.  Of a pair of complex ones that
- * with the positive imaginary part. */
+/* An eigenvalue lambda [1/s], and the coordinate with the largest share of its kinetic energy.  Of a pair of
+ * complex ones that with the positive imaginary part. */
 typedef struct mode {
   double real, imaginary;
-  int coordinate;
+  int coordinate; /* of y */
 } mode;
 
 /* Modes by frequency |lambda|, slowest first: their number, at most 2 n; -1 without memory or convergence,
  * -2 in a build that cannot.
  *
  * in    n                coordinates y
- *       a_q, a_v         (n x n)
- *       m, shape         coordinates of the model, and what they move with y  (m x n)
+ *       a_q, a_v, mass   (n x n)
  * out   modes            (2 n)
  */
-int modes_find(int n, const double *a_q, const double *a_v, int m, const double *shape,
-               mode *modes);
+int modes_find(int n, const double *a_q, const double *a_v, const double *mass, mode *modes);
 
 #endif

@@ -41,23 +41,22 @@ static void destroy(work *w)
   gsl_matrix_complex_free(w->vector);
 }
 
-/* the coordinate that moves most in a mode */
-static int most(const work *w, size_t k, int n, int m, const double *shape)
+/* the coordinate with the largest share y_i (mass y)_i of the kinetic energy of a mode */
+static int most(const work *w, size_t k, int n, const double *mass)
 {
-  double real, imaginary, size, largest = -1.0;
-  gsl_complex y;
+  double share, largest = -1.0;
+  gsl_complex y, z;
   int i, c, best = 0;
 
-  for (i = 0; i < m; ++i) {
-    real = imaginary = 0.0;
+  for (i = 0; i < n; ++i) {
+    y = gsl_matrix_complex_get(w->vector, (size_t)i, k);
+    share = 0.0;
     for (c = 0; c < n; ++c) {
-      y = gsl_matrix_complex_get(w->vector, (size_t)c, k);
-      real += shape[i * n + c] * GSL_REAL(y);
-      imaginary += shape[i * n + c] * GSL_IMAG(y);
+      z = gsl_matrix_complex_get(w->vector, (size_t)c, k);
+      share += mass[i * n + c] * (GSL_REAL(y) * GSL_REAL(z) + GSL_IMAG(y) * GSL_IMAG(z));
     }
-    size = hypot(real, imaginary);
-    if (size > largest * (1.0 + 1e-9)) { /* the first of equals */
-      largest = size;
+    if (share > largest) {
+      largest = share;
       best = i;
     }
   }
@@ -72,21 +71,22 @@ static int compare(const void *a, const void *b)
   return (u > v) - (u < v);
 }
 
-int modes_find(int n, const double *a_q, const double *a_v, int m, const double *shape, mode *modes)
+int modes_find(int n, const double *a_q, const double *a_v, const double *mass, mode *modes)
 {
-  gsl_error_handler_t *handler = gsl_set_error_handler_off();
+  gsl_error_handler_t *handler;
   work w = {NULL, NULL, NULL, NULL};
   int count = 0, ok;
   size_t k;
   gsl_complex z;
 
   if (n == 0) return 0;
+  handler = gsl_set_error_handler_off();
   ok =
       create(&w, n, a_q, a_v) && gsl_eigen_nonsymmv(w.a, w.value, w.vector, w.space) == GSL_SUCCESS;
   for (k = 0; ok && k < 2 * (size_t)n; ++k) {
     z = gsl_vector_complex_get(w.value, k);
     if (GSL_IMAG(z) < 0.0) continue;
-    modes[count++] = (mode){GSL_REAL(z), GSL_IMAG(z), most(&w, k, n, m, shape)};
+    modes[count++] = (mode){GSL_REAL(z), GSL_IMAG(z), most(&w, k, n, mass)};
   }
   destroy(&w);
   gsl_set_error_handler(handler);

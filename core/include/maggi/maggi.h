@@ -827,19 +827,22 @@ maggi_status maggi_equilibrium_get_wheels(const maggi_data *d, double *load);
 
 /* Small motions about static equilibrium, of what its search moves (n coordinates, see above):
  *
- *   y'' = a_q y + a_v y',   positions of all coordinates = those of equilibrium + shape y
+ *   y'' = a_q y + a_v y',   positions of all coordinates = those of equilibrium + shape y,
+ *   kinetic energy y'^T mass y' / 2
  *
  * in    rate   of coordinates [m/s, rad/s], small: a_v is the mean of the derivatives at velocities of
  *              about +rate and -rate, so that a damper with other slopes in rebound than in compression
  *              counts with their mean
- * out   a_q, a_v   (n x n)                   NULL: not wanted
- *       shape      (coordinates x n)         NULL: not wanted
+ * out   coordinate   which they are                (n)
+ *       a_q, a_v     in m, rad and s               (n x n)
+ *       mass         in kg, m, rad                 (n x n)
+ *       shape                                      (coordinates x n)       NULL: not wanted
  *
  * status     MAGGI_OK; MAGGI_E_MODEL where no reset has found an equilibrium; MAGGI_E_MEMORY
  * since      0.5
  */
-maggi_status maggi_equilibrium_motions(maggi_data *d, double rate, double *a_q, double *a_v,
-                                       double *shape);
+maggi_status maggi_equilibrium_motions(maggi_data *d, double rate, int *coordinate, double *a_q,
+                                       double *a_v, double *mass, double *shape);
 
 /* Put the simulation at a given time and state: loops are closed by moving the dependent
  * coordinates, dependent velocities follow from the independent ones.  Replaces a reset.
