@@ -57,6 +57,16 @@ int maggi_coordinate_is_angle(const maggi_model *m, int coordinate)
   return in(coordinate, m->ncoordinate) && m->coordinate[coordinate].is_angle;
 }
 
+const char *maggi_spring_name(const maggi_model *m, int spring)
+{
+  return in(spring, m->topo.nspring) ? m->springname[spring] : NULL;
+}
+
+const char *maggi_wheel_name(const maggi_model *m, int wheel)
+{
+  return in(wheel, m->topo.nwheel) ? m->wheelname[wheel] : NULL;
+}
+
 const char *maggi_loop_name(const maggi_model *m, int loop)
 {
   return in(loop, m->nloop) ? m->loop[loop].name : NULL;
@@ -104,9 +114,9 @@ const char *maggi_model_function(const maggi_model *m, int index, const char **t
   return kind_of(m->function, m->nfunction, index, type);
 }
 
-const maggi_sensor_def *maggi_model_sensor(const maggi_model *m, int index)
+const maggi_sensor_def *maggi_model_sensor(const maggi_model *m, int column)
 {
-  return in(index, m->topo.nsensor) ? &m->sensor[index] : NULL;
+  return in(column, m->ncolumn) ? &m->sensor[m->sensorplace[column] / 3] : NULL;
 }
 
 const maggi_wheel_def *maggi_model_wheel(const maggi_model *m, int index)

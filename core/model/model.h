@@ -76,6 +76,8 @@ struct maggi_model {
   int *position_given;   /* (nq) maggi_initial */
   int *velocity_given;   /* (nq) */
   int *reach;            /* (nq) number of loops whose path holds the coordinate */
+  const char **springname;
+  const char **wheelname;
   int ncolumn;           /* of sensors */
   const char **sensorcolumn;
   const char **sensorunit;

@@ -81,7 +81,7 @@ static void json_sensors(json *j, const subject *s)
 
   json_open_array(j, "sensors");
   for (i = 0; i < s->info.sensor_columns; ++i) {
-    d = maggi_model_sensor(s->model, i / 3);
+    d = maggi_model_sensor(s->model, i);
     json_open_object(j, NULL);
     json_string(j, "name", maggi_sensor_column_name(s->model, i));
     json_string(j, "unit", maggi_sensor_column_unit(s->model, i));

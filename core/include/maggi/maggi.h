@@ -818,6 +818,8 @@ int maggi_coordinate_is_angle(const maggi_model *m, int coordinate); /* else a l
 const char *maggi_loop_name(const maggi_model *m, int loop);
 const char *maggi_loop_kind(const maggi_model *m, int loop); /* "revolute", .., "rod" */
 int maggi_loop_rows(const maggi_model *m, int loop);
+const char *maggi_spring_name(const maggi_model *m, int spring);
+const char *maggi_wheel_name(const maggi_model *m, int wheel);
 const char *maggi_sensor_column_name(const maggi_model *m, int column);
 const char *maggi_sensor_column_unit(const maggi_model *m, int column);
 const char *maggi_coordinate_motion(const maggi_model *m, int coordinate); /* function, or NULL */
@@ -829,9 +831,8 @@ int maggi_body_find(const maggi_model *m, const char *name);       /* -1: none *
 int maggi_coordinate_find(const maggi_model *m, const char *name); /* -1: none */
 
 /* Sensors and wheels as they were defined, in the order of the file: strings are owned by the model,
- * numbers are those of the file.  A sensor has the columns 3 index .. 3 index + 2.  NULL outside the
- * range.  since 0.5 */
-const maggi_sensor_def *maggi_model_sensor(const maggi_model *m, int index);
+ * numbers are those of the file; the sensor is that of a column.  NULL outside the range.  since 0.5 */
+const maggi_sensor_def *maggi_model_sensor(const maggi_model *m, int column);
 const maggi_wheel_def *maggi_model_wheel(const maggi_model *m, int index);
 
 /* Parameters: path, unit and default value of the entry `index` of p; path is NULL and value NAN
@@ -874,13 +875,56 @@ maggi_status maggi_data_set_tolerance(maggi_data *d, double tolerance);
  * independent coordinates, completion of the velocities, one evaluation.  Filters start at rest.
  *
  * Given positions and velocities are honoured exactly; independent coordinates that are not given
- * start at their file position and at rest.
+ * start at their file position and at rest.  Where the model asks for it (maggi_start_def) positions are
+ * those of static equilibrium, found by Newton's method with the exact Jacobian, and wheels roll.
  *
- * status     MAGGI_OK; MAGGI_E_VALUE (a zero axis, ..); MAGGI_E_ASSEMBLY; MAGGI_E_MASS;
- *            MAGGI_E_NOT_FINITE; text in maggi_data_message
+ * status     MAGGI_OK; MAGGI_E_VALUE (a zero axis, ..); MAGGI_E_ASSEMBLY, also where no equilibrium is
+ *            found; MAGGI_E_MASS; MAGGI_E_NOT_FINITE; text in maggi_data_message
  * since      0.1
  */
 maggi_status maggi_data_reset(maggi_data *d);
+
+/* Static equilibrium, from which a reset starts where the model asks for it (maggi_start_def): after a
+ * reset, of the parameters then.
+ *
+ *   coordinates   independent ones: not held, not guided, not made dependent by loops
+ *   iterations    of Newton's method
+ *   damped        steps of the damped run that led there, 0: it was not needed
+ *   residual      largest acceleration that is left [m/s^2, rad/s^2]
+ *
+ * springs           length [m] and force [N] of springs, tension positive, in their order
+ * wheels            force that the road exerts on wheels along its normal [N]
+ * status            MAGGI_OK; MAGGI_E_MODEL where no reset has found an equilibrium
+ * since             0.5
+ */
+typedef struct maggi_equilibrium_state {
+  int coordinates;
+  int iterations;
+  int damped;
+  double residual;
+} maggi_equilibrium_state;
+maggi_status maggi_get_equilibrium(const maggi_data *d, maggi_equilibrium_state *state);
+maggi_status maggi_equilibrium_get_springs(const maggi_data *d, double *length, double *force);
+maggi_status maggi_equilibrium_get_wheels(const maggi_data *d, double *load);
+
+/* Small motions about static equilibrium, of what its search moves (n coordinates, see above):
+ *
+ *   y'' = a_q y + a_v y',   positions of all coordinates = those of equilibrium + shape y,
+ *   kinetic energy y'^T mass y' / 2
+ *
+ * in    rate   of coordinates [m/s, rad/s], small: a_v is the mean of the derivatives at velocities of
+ *              about +rate and -rate, so that a damper with other slopes in rebound than in compression
+ *              counts with their mean
+ * out   coordinate   which they are                (n)
+ *       a_q, a_v     in m, rad and s               (n x n)
+ *       mass         in kg, m, rad                 (n x n)
+ *       shape                                      (coordinates x n)       NULL: not wanted
+ *
+ * status     MAGGI_OK; MAGGI_E_MODEL where no reset has found an equilibrium; MAGGI_E_MEMORY
+ * since      0.5
+ */
+maggi_status maggi_equilibrium_motions(maggi_data *d, double rate, int *coordinate, double *a_q,
+                                       double *a_v, double *mass, double *shape);
 
 /* Put the simulation at a given time and state: loops are closed by moving the dependent
  * coordinates, dependent velocities follow from the independent ones.  Filters are at rest.  Replaces a
