@@ -137,7 +137,10 @@ int maggi_compile_column(const maggi_model *m, const char *name)
 /* that of the weight of a term; NULL without memory */
 static const char *unit_of_weight(maggi_arena *arena, const char *sum, const char *term)
 {
-  return strcmp(sum, term) == 0 ? "-" : maggi_arena_format(arena, "(%s)/(%s)", sum, term);
+  if (strcmp(sum, term) == 0) return "-";
+  if (strcmp(term, "-") == 0) return sum;
+  return maggi_arena_format(arena, strpbrk(term, " /") ? "%s/(%s)" : "%s/%s",
+                            strcmp(sum, "-") == 0 ? "1" : sum, term);
 }
 
 static maggi_status add_weights(maggi_compile *c, const maggi_sensor_def *d, const char *sum,

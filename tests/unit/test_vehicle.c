@@ -183,7 +183,8 @@ static void test_columns(void)
   CHECK(maggi_parameter_default(m, maggi_parameter_find(m, "sensors.sum.weights.2")) == -0.5);
   CHECK_TEXT(maggi_parameter_unit(m, maggi_parameter_find(m, "sensors.sum.weights.2")), "-");
   CHECK_TEXT(maggi_parameter_unit(m, maggi_parameter_find(m, "sensors.named.weights.1")),
-             "(knots)/(m/s)");
+             "knots/(m/s)");
+  CHECK_TEXT(maggi_parameter_unit(m, maggi_parameter_find(m, "sensors.all.weights.2")), "1/rad");
   CHECK(maggi_parameter_find(m, "sensors.lat.low_speed") >= 0);
   CHECK(maggi_parameter_find(m, "sensors.lat.low_acceleration") >= 0);
   CHECK(maggi_parameter_find(m, "sensors.lv.low_speed") < 0);

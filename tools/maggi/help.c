@@ -96,7 +96,8 @@ static const char help_simulate[] =
   "                       TYPE(SIGNAL), as in \"rms(tip.z)\", where SIGNAL is a column of\n"       \
   "                       maggi simulate --energy --reactions all (not energy.work and\n"          \
   "                       loops.*) and TYPE is integral, integral_square, mean,\n"                 \
-  "                       mean_square, rms, rmq, vdv, maximum, minimum, peak or terminal.\n"
+  "                       mean_square, rms, rmq, vdv, norm, violation, maximum, minimum,\n"        \
+  "                       peak or terminal.\n"
 
 static const char help_sensitivity[] =
     "maggi sensitivity MODEL [options]\n"
