@@ -117,19 +117,19 @@ def build(runs, title, maggi, width):
     model = sheet.model(runs) if any(run.model for run in runs) else ""
     if vehicles:
         model += "<h3>Vehicle</h3>" + sheet.vehicle(vehicles)
-    model += extras(runs, maggi)
+    model += sheet.at_start(runs, vehicles) + extras(runs, maggi)
     used = vehicle_figures(vehicles) if vehicles else ""
     parts = [
         section("how", "How it was run", sheet.how(runs)),
         section("model", "Model", model),
-        section("manoeuvre", "Manoeuvre", sheet.manoeuvre(runs, vehicles)),
+        section("manoeuvre", "Manoeuvre" if vehicles else "Input", sheet.manoeuvre(runs, vehicles)),
         section("figures", "Key figures", used + objectives(runs) + all_signals(runs, common)),
     ]
     if vehicles:
         parts.append(section("handling", "Handling", draw(plots.handling(vehicles))))
         parts.append(section("ride", "Path and ride", draw(plots.travel(vehicles, width))))
         parts.append(section("tyres", "Tyres", draw(plots.tyres(vehicles))))
-    parts.append(section("sensors", "Sensors", draw(plots.sensors(runs, common))))
+    parts.append(section("sensors", "Sensors", draw(plots.sensors(runs, common, bool(vehicles)))))
     parts.append(section("balance", "Energy and loops", draw(plots.balance(runs, common))))
     parts.append(section("coordinates", "Coordinates", draw(plots.coordinates(runs, common))))
     parts.append(section("reactions", "Joint reactions", draw(plots.reactions(runs, common))))

@@ -4,7 +4,7 @@ import re
 import numpy
 
 from . import tracks
-from .svg import Curve, Plot, pretty
+from .svg import Curve, Plot
 from .vehicle import G
 
 MOST = 8  # curves of one run in a plot
@@ -94,9 +94,10 @@ def tyres(vehicles):
         lines = wheel_lines(vehicles, "slip", end)
         if lines:
             spread(plots, f"Tyres: {axis}", axis, unit, lines)
-    lines = wheel_lines(vehicles, "moment", "mz")
-    if lines:
-        spread(plots, "Tyres: aligning moment", "aligning moment", "N m", lines)
+    for end, axis in (("mz", "aligning moment"), ("mx", "overturning moment"), ("my", "rolling moment")):
+        lines = wheel_lines(vehicles, "moment", end)
+        if lines:
+            spread(plots, f"Tyres: {axis}", axis, "N m", lines)
     ellipse = []
     for k, wheel in enumerate(vehicles[0].wheels):
         for v in vehicles:
@@ -160,13 +161,13 @@ def coordinates(runs, common):
     return plots
 
 
-def sensors(runs, common):
-    """A plot for each type of sensor and column of it, [(title, unit)]."""
+def sensors(runs, common, has_tyres):
+    """A plot for each type of sensor and column of it; tyres may have theirs."""
     plots, groups = [], {}
     for c in common:
-        if runs[0].kind(c) != "sensor":
-            continue
         sensor = runs[0].sensors.get(c, {})
+        if runs[0].kind(c) != "sensor" or has_tyres and sensor.get("type", "").startswith("tyre_"):
+            continue
         kind = sensor.get("type", "sensor").replace("_", " ")
         stem, end = (sensor["sensor"], c[len(sensor["sensor"]) + 1:]) if "sensor" in sensor else \
             (c.rpartition(".")[0], "")
@@ -207,4 +208,4 @@ def reactions(runs, common):
     return plots
 
 
-__all__ = ["handling", "tyres", "travel", "coordinates", "sensors", "balance", "reactions", "pretty"]
+__all__ = ["handling", "tyres", "travel", "coordinates", "sensors", "balance", "reactions"]

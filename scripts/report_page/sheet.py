@@ -28,6 +28,9 @@ def table(head, rows, kind=""):
         text.append("<thead><tr>" + "".join(f'<th scope="col">{h}</th>' for h in head) + "</tr></thead>")
     text.append("<tbody>")
     for first, *rest in rows:
+        if kind == "" and len(rest) > 1 and len(set(rest)) == 1:
+            text.append(f'<tr><th scope="row">{first}</th><td colspan="{len(rest)}">{rest[0]}</td></tr>')
+            continue
         text.append(f'<tr><th scope="row">{first}</th>' + "".join(f"<td>{c}</td>" for c in rest) + "</tr>")
     text.append("</tbody></table></div>")
     return "".join(text)
@@ -131,6 +134,27 @@ def vehicle(vehicles):
     rows.append(["Road"] + [html.escape(", ".join(road(v))) for v in vehicles])
     head = [""] + [html.escape(v.run.label) for v in vehicles] if len(vehicles) > 1 else None
     return table(head, rows)
+
+
+def at_start(runs, vehicles):
+    """Tyres and springs at t = 0, which is the static equilibrium where a model starts in it."""
+    text, head = "", ["", "unit"] + [html.escape(r.label) if len(runs) > 1 else "value" for r in runs]
+    rows, by_run = [], {v.run: v for v in vehicles}
+    for name in dict.fromkeys(w["name"] for v in vehicles for w in v.wheels):
+        loads = [by_run[r].force.get(name, {}).get("fz") if r in by_run else None for r in runs]
+        if any(load is not None for load in loads):
+            rows.append([f"Tyre {html.escape(name)}: load", "kg"] +
+                        [number(None if load is None else float(load[0])/G) for load in loads])
+    columns = dict.fromkeys(c for r in runs for c, s in r.sensors.items()
+                            if s.get("type") == "spring" and not c.endswith(".rate"))
+    for c in columns:
+        values = [float(r.table[c][0]) if c in r.table else None for r in runs]
+        unit = next(r.unit[c] for r in runs if c in r.unit)
+        rows.append([f"Spring {html.escape(c.replace('.', ': ', 1))}", pretty(unit)] +
+                    [number(x) for x in values])
+    if rows:
+        text = f"<h3>At the start, t = {number(float(runs[0].t[0]))} s</h3>" + table(head, rows, "num")
+    return text
 
 
 def road(v):
