@@ -81,6 +81,9 @@ struct maggi_model {
   int nsignal;
   const char **signalname;
   const char **signalunit;
+  int rolling;       /* whether wheels start with the spin at which they roll */
+  int nhold, *hold;  /* coordinates held while the others find equilibrium */
+  maggi_model *twin; /* static twin, NULL: initial positions are those of p */
   int nobjective;
   maggi_objective_def *objective;
   int ndesign;

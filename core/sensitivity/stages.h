@@ -47,6 +47,7 @@ STAGE(loop_gamma, WITH(prim0), WITH(r), WITH(dir), WITH(rv), WITH(ra), WITH(Z), 
 /* forces */
 STAGE(element_forces, WITH(p), WITH(fun), WITH(spring0), WITH(q), WITH(v), WITH(A), WITH(Z),
       WITH(r), WITH(rv), WITH(Q), WITH(tau), D->power)
+STAGE(control_forces, WITH(p), WITH(fun), d->v, WITH(rv), WITH(speed), WITH(tau), D->power)
 STAGE(body_inertias, WITH(body0), WITH(A), WITH(x), WITH(I))
 STAGE(inertia_forces, WITH(I), WITH(Z), WITH(Za), WITH(Fr))
 STAGE(rod_forces, WITH(p), WITH(r), WITH(ra), WITH(Fr))
