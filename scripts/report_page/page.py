@@ -1,8 +1,9 @@
 """The page: sections in their order."""
 import html
+import json
 import os
 
-from . import figures, plots, sheet
+from . import figures, plots, sheet, standstill, svg
 from .svg import pretty
 from .vehicle import Vehicle, is_vehicle
 
@@ -13,6 +14,13 @@ MOST_SIGNALS = 24  # rows of the table of all signals that are shown unfolded
 def beside(name):
     with open(os.path.join(FOLDER, name), encoding="utf-8") as file:
         return file.read()
+
+
+def script():
+    """What reads numbers off the curves."""
+    sizes = {"WIDTH": svg.WIDTH, "LEFT": svg.LEFT, "TOP": svg.TOP, "FINE": svg.FINE,
+             "W": svg.WIDTH - svg.LEFT - svg.RIGHT, "H": svg.HEIGHT - svg.TOP - svg.BOTTOM}
+    return f"const SIZE = {json.dumps(sizes)};\n" + beside("hover.js")
 
 
 def common_columns(runs):
@@ -41,6 +49,13 @@ def folded(title, body, is_open=False):
 # ------------------------------------------------------------------ key figures
 
 
+def place(time, wheel=None):
+    """When, and at which wheel."""
+    words = ([f"at {sheet.number(time, 4)} s"] if time is not None else []) + \
+        ([html.escape(wheel)] if wheel else [])
+    return f' <small>{", ".join(words)}</small>' if words else ""
+
+
 def vehicle_figures(vehicles):
     """Tables of what each vehicle came to, side by side."""
     each = [dict(figures.of_vehicle(v)) for v in vehicles]
@@ -51,8 +66,7 @@ def vehicle_figures(vehicles):
             cells = []
             for groups in each:
                 row = next((r for r in groups.get(heading, []) if r[0] == label), None)
-                cells.append("–" if row is None else sheet.number(row[2]) + (
-                    "" if row[3] is None else f" <small>at {sheet.number(row[3], 4)} s</small>"))
+                cells.append("–" if row is None else sheet.number(row[2]) + place(*row[3:]))
             rows.append([html.escape(label), html.escape(pretty(unit))] + cells)
         head = ["", "unit"] + [html.escape(v.run.label) if len(vehicles) > 1 else "value" for v in vehicles]
         text.append(f"<h3>{heading}</h3>" + sheet.table(head, rows, "num"))
@@ -117,7 +131,8 @@ def build(runs, title, maggi, width):
     model = sheet.model(runs) if any(run.model for run in runs) else ""
     if vehicles:
         model += "<h3>Vehicle</h3>" + sheet.vehicle(vehicles)
-    model += sheet.at_start(runs, vehicles) + extras(runs, maggi)
+    if any(run.model for run in runs):
+        model += standstill.sections(vehicles, maggi) or sheet.at_start(runs, vehicles)
     used = vehicle_figures(vehicles) if vehicles else ""
     parts = [
         section("how", "How it was run", sheet.how(runs)),
@@ -136,11 +151,6 @@ def build(runs, title, maggi, width):
     return wrap(title, runs, notes, [p for p in parts if p]), notes
 
 
-def extras(runs, maggi):
-    """Static equilibrium and modes, where the command has them."""
-    return ""
-
-
 def wrap(title, runs, notes, parts):
     links = "".join(f'<a href="#{p.split(chr(34))[1]}">{p.split("<h2", 1)[1].split(">", 1)[1].split("<", 1)[0]}</a>'
                     for p in parts)
@@ -155,4 +165,4 @@ def wrap(title, runs, notes, parts):
             f'<title>{html.escape(title)}</title>\n<style>\n{beside("style.css")}</style></head>\n<body>'
             f'<header><h1>{html.escape(title)}</h1><p class="sub">{html.escape(" · ".join(under))}</p>{said}'
             f'<nav aria-label="Sections">{links}</nav></header>\n<main>\n' + "\n".join(parts) +
-            f'\n</main>\n<script>\n{beside("hover.js")}</script></body></html>\n')
+            f'\n</main>\n<script>\n{script()}</script></body></html>\n')

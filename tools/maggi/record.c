@@ -1,5 +1,7 @@
 /* The record of a run. */
-#define _POSIX_C_SOURCE 200809L /* gmtime_r */
+#ifndef _XOPEN_SOURCE
+#define _XOPEN_SOURCE 700 /* gmtime_r, realpath */
+#endif
 #include "record.h"
 
 #include <stdlib.h>
@@ -144,6 +146,15 @@ static void write_model(json *j, const run *what)
   json_close_object(j);
 }
 
+/* of the model file, from the root on; null for a generated model */
+static void write_path(json *j, const char *path)
+{
+  char *whole = path[0] ? realpath(path, NULL) : NULL;
+
+  json_string(j, "path", whole ? whole : path[0] ? path : NULL);
+  free(whole);
+}
+
 static void write_all(const record *r, const run *what, json *j)
 {
   char date[32];
@@ -158,7 +169,7 @@ static void write_all(const record *r, const run *what, json *j)
     json_string(j, "date", date);
   json_string(j, "command", r->command);
   json_string(j, "file", r->model);
-  json_string(j, "path", r->path[0] ? r->path : NULL);
+  write_path(j, r->path);
   write_settings(j, r->set);
   json_integer(j, "every", what->every);
   if (r->tolerance > 0.0) json_number(j, "tolerance", r->tolerance);

@@ -2,6 +2,7 @@
 #include "sheet.h"
 
 #include <fnmatch.h>
+#include <string.h>
 
 #include "tree.h"
 
@@ -74,6 +75,18 @@ static void json_point(json *j, const char *key, const double x[3])
   json_close_array(j);
 }
 
+/* The sensor of a column NAME.x, or NULL. */
+static const maggi_sensor_def *sensor_of(const maggi_model *m, const char *column)
+{
+  const maggi_sensor_def *d;
+  size_t n = strcspn(column, ".");
+  int i;
+
+  for (i = 0; (d = maggi_model_sensor(m, i)) != NULL; ++i)
+    if (strlen(d->name) == n && strncmp(d->name, column, n) == 0) return d;
+  return NULL;
+}
+
 static void json_sensors(json *j, const subject *s)
 {
   const maggi_sensor_def *d;
@@ -81,7 +94,7 @@ static void json_sensors(json *j, const subject *s)
 
   json_open_array(j, "sensors");
   for (i = 0; i < s->info.sensor_columns; ++i) {
-    d = maggi_model_sensor(s->model, i / 3);
+    d = sensor_of(s->model, maggi_sensor_column_name(s->model, i));
     json_open_object(j, NULL);
     json_string(j, "name", maggi_sensor_column_name(s->model, i));
     json_string(j, "unit", maggi_sensor_column_unit(s->model, i));

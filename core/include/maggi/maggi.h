@@ -746,8 +746,7 @@ int maggi_body_find(const maggi_model *m, const char *name);       /* -1: none *
 int maggi_coordinate_find(const maggi_model *m, const char *name); /* -1: none */
 
 /* Sensors and wheels as they were defined, in the order of the file: strings are owned by the model,
- * numbers are those of the file.  A sensor has the columns 3 index .. 3 index + 2.  NULL outside the
- * range.  since 0.5 */
+ * numbers are those of the file.  NULL outside the range.  since 0.5 */
 const maggi_sensor_def *maggi_model_sensor(const maggi_model *m, int index);
 const maggi_wheel_def *maggi_model_wheel(const maggi_model *m, int index);
 
