@@ -36,6 +36,10 @@ def section(name, title, body):
         if body else ""
 
 
+def row(cards):
+    return f'<div class="cards">{cards}</div>' if cards else ""
+
+
 def draw(found):
     """A grid of plots, "" when there is none with a number in it."""
     text = "".join(plot.draw() for plot in found)
@@ -69,7 +73,7 @@ def vehicle_figures(vehicles):
                 cells.append("–" if row is None else sheet.number(row[2]) + place(*row[3:]))
             rows.append([html.escape(label), html.escape(pretty(unit))] + cells)
         head = ["", "unit"] + [html.escape(v.run.label) if len(vehicles) > 1 else "value" for v in vehicles]
-        text.append(f"<h3>{heading}</h3>" + sheet.table(head, rows, "num"))
+        text.append(sheet.card(heading, sheet.table(head, rows, "num")))
     return "".join(text)
 
 
@@ -80,15 +84,15 @@ def objectives(runs):
     if not names:
         return ""
     if not any(found):
-        return "<h3>Objectives</h3><p class=\"note\">The model declares " + html.escape(", ".join(names)) + \
-            "; maggi simulate --objectives evaluates them.</p>"
+        return sheet.card("Objectives", '<p class="note">The model declares ' + html.escape(", ".join(names)) +
+                          "; maggi simulate --objectives evaluates them.</p>")
     rows = []
     for name in names:
         unit = next((f[name]["unit"] for f in found if name in f), "")
         rows.append([html.escape(name), html.escape(pretty(unit))] +
                     [sheet.number(f[name]["value"], 8) if name in f else "–" for f in found])
     head = ["", "unit"] + [html.escape(run.label) if len(runs) > 1 else "value" for run in runs]
-    return "<h3>Objectives</h3>" + sheet.table(head, rows, "num")
+    return sheet.card("Objectives", sheet.table(head, rows, "num"))
 
 
 def all_signals(runs, columns):
@@ -128,17 +132,17 @@ def build(runs, title, maggi, width):
         shown = ", ".join(rest[:12]) + (f" and {len(rest) - 12} more" if len(rest) > 12 else "")
         notes.append(f"not in all runs, left out of what is drawn together: {shown}")
 
-    model = sheet.model(runs) if any(run.model for run in runs) else ""
-    if vehicles:
-        model += "<h3>Vehicle</h3>" + sheet.vehicle(vehicles)
+    model, cards = "", ""
     if any(run.model for run in runs):
-        model += standstill.sections(vehicles, maggi) or sheet.at_start(runs, vehicles)
+        model = sheet.model(runs)
+        cards = sheet.card("Vehicle", sheet.vehicle(vehicles) if vehicles else "")
+        cards += standstill.sections(vehicles, maggi) or sheet.at_start(runs, vehicles)
     used = vehicle_figures(vehicles) if vehicles else ""
     parts = [
         section("how", "How it was run", sheet.how(runs)),
-        section("model", "Model", model),
+        section("model", "Model", model + row(cards)),
         section("manoeuvre", "Manoeuvre" if vehicles else "Input", sheet.manoeuvre(runs, vehicles)),
-        section("figures", "Key figures", used + objectives(runs) + all_signals(runs, common)),
+        section("figures", "Key figures", row(used + objectives(runs)) + all_signals(runs, common)),
     ]
     if vehicles:
         parts.append(section("handling", "Handling", draw(plots.handling(vehicles))))
@@ -157,7 +161,7 @@ def wrap(title, runs, notes, parts):
     dates = ", ".join(dict.fromkeys(run.record["date"][:10] for run in runs if run.record.get("date")))
     versions = ", ".join(dict.fromkeys(run.record["maggi"] for run in runs if run.record.get("maggi")))
     under = [text for text in (dates, f"maggi {versions}" if versions else "",
-                               ", ".join(run.name for run in runs)) if text]
+                               ", ".join(run.name for run in runs if run.kept)) if text]
     said = "".join(f'<p class="note">Note: {html.escape(note)}</p>' for note in notes)
     return (f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">'
             f'<meta name="viewport" content="width=device-width, initial-scale=1">'

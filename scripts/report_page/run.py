@@ -83,6 +83,7 @@ class Run:
         self.table = read_table(name)
         self.t = self.table["t"]
         self.record, self.note = read_record(name, self.table, len(self.t))
+        self.kept = not self.record or self.record["run"].get("out") is not None
         self.model = self.record.get("model", {})
         self.title = self.model.get("model") or os.path.splitext(os.path.basename(name))[0]
         self.label = os.path.splitext(os.path.basename(name))[0]

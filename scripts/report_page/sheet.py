@@ -9,11 +9,16 @@ from .svg import pretty
 def number(value, digits=5):
     if value is None or (isinstance(value, float) and not numpy.isfinite(value)):
         return "–"
-    return f"{value:.{digits}g}".replace("-", "−")
+    return f"{value + 0:.{digits}g}".replace("-", "−")  # + 0: no minus before a zero
 
 
 def cell(value, unit=""):
     return f'{number(value)}{" " + pretty(unit) if unit not in ("", "-") else ""}'
+
+
+def card(title, text):
+    """A part that stands beside others where there is room."""
+    return f"<div><h3>{title}</h3>{text}</div>" if text else ""
 
 
 def table(head, rows, kind=""):
@@ -46,7 +51,7 @@ def how(runs):
 
     add("Model", lambda run: run.title)
     add("Model file", lambda run: run.record.get("path") or run.record.get("file"))
-    add("Table", lambda run: run.name)
+    add("Table", lambda run: run.name if run.kept else "")
     add("Date", lambda run: run.record.get("date", "").replace("T", " ").replace("Z", " UTC"))
     add("maggi", lambda run: run.record.get("maggi"))
     add("Set", lambda run: ", ".join(f"{k} = {number(v, 12)}" for k, v in run.record.get("set", {}).items())
@@ -157,7 +162,7 @@ def at_start(runs, vehicles):
                          f"{number(float(length[0]))} / {number(round(float(force[0]), 6) + 0.0)}")
         rows.append([f"Spring {html.escape(name)}: length / force", "m / N"] + cells)
     if rows:
-        text = f"<h3>At the start, t = {number(float(runs[0].t[0]))} s</h3>" + table(head, rows, "num")
+        text = card(f"At the start, t = {number(float(runs[0].t[0]))} s", table(head, rows, "num"))
     return text
 
 

@@ -84,13 +84,13 @@ def sections(vehicles, maggi):
     labels = [html.escape(run.label) if len(runs) > 1 else "value" for run in runs]
     found = [ask(maggi, "equilibrium", run) for run in runs]
     if any(found):
-        text += "<h3>Static equilibrium</h3>" + sheet.table(["", "unit"] + labels,
-                                                            equilibrium(vehicles, found), "num")
+        text += sheet.card("Static equilibrium", sheet.table(["", "unit"] + labels,
+                                                             equilibrium(vehicles, found), "num"))
     found = [ask(maggi, "modes", run) for run in runs]
     if any(f.get("modes") for f in found):
         head = ["mode"]
         for label in labels:
             of = f" {label}" if len(runs) > 1 else ""
             head += [f"frequency [Hz]{of}", f"damping [-]{of}", f"moves most{of}"]
-        text += "<h3>Modes</h3>" + sheet.table(head, modes(found), "num")
+        text += sheet.card("Modes", sheet.table(head, modes(found), "num"))
     return text

@@ -174,7 +174,7 @@ static void write_all(const record *r, const run *what, json *j)
   json_integer(j, "every", what->every);
   if (r->tolerance > 0.0) json_number(j, "tolerance", r->tolerance);
   json_open_object(j, "run");
-  summary_members(what, what->rows->table.name, j);
+  summary_members(what, r->out, j);
   json_close_object(j);
   write_columns(j, what->rows);
   write_model(j, what);

@@ -233,6 +233,7 @@ static int simulate_model(const request *want, record *log)
   if (status != STATUS_DONE) return status;
   log->model = want->model;
   log->path = path;
+  log->out = want->temporary[0] ? NULL : want->out;
   log->set = &want->set;
   log->tolerance = want->tolerance;
   memset(&r, 0, sizeof r);
