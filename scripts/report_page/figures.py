@@ -84,6 +84,7 @@ def extremes(v):
     if "speed" in v.channel:
         for name, which in (("smallest", numpy.nanargmin), ("largest", numpy.nanargmax)):
             out.append((f"Speed, {name}", "m/s", *measure.extreme(v.t, v.get("speed"), which)))
+    add("Drive torque on a wheel, peak", "N m", "torque")
     add("Vertical acceleration, peak", "m/s^2", "az")
     return out
 

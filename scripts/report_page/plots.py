@@ -127,6 +127,7 @@ def travel(vehicles, width):
                           note=tracks.NOTE.format(width=tracks.width_of(vehicles[0], width))
                           if track else ""))
     over_time(plots, vehicles, "Speed", ["speed"])
+    over_time(plots, vehicles, "Drive torque of the speed controller", ["torque"], "torque on a wheel")
     over_time(plots, vehicles, "Vertical position", ["z"])
     over_time(plots, vehicles, "Pitch angle", ["pitch"])
     over_time(plots, vehicles, "Vertical acceleration", ["az"])

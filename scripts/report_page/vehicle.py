@@ -48,6 +48,7 @@ class Vehicle:
         self.motion()
         self.attitude()
         self.steering()
+        self.drive()
         self.tyres()
 
     # ---------------------------------------------------------------- what it is made of
@@ -193,6 +194,34 @@ class Vehicle:
         if angles and not any(a is None for a in angles) and "yaw" in self.channel:
             self.add("road_wheel", "angle of the front wheels", "rad",
                      numpy.mean(angles, axis=0) - self.get("yaw"))
+
+    # ---------------------------------------------------------------- drive
+
+    def drive(self):
+        """Torque of a speed controller on each of its wheels, where the speed of its point is measured."""
+        for force in self.run.model.get("forces", []):
+            path = f"forces.{force['name']}."
+            keys = [self.run.parameter.get(path + key) for key in ("speed", "gain", "torque", "low_speed")]
+            if not force["type"].startswith("speed") or None in keys or "function" in force:
+                continue
+            speed, gain, torque, low = keys
+            v = self.speed_of_point(force["body"], self.run.point(path + "point"))
+            if v is None:
+                continue
+            e = speed - numpy.sqrt(v**2 + low**2)
+            law = e if "linear" in force["type"] else e*numpy.abs(e)
+            self.add("torque", f"torque of {force['name']} on each wheel", "N m", gain*torque*law)
+            return
+
+    def speed_of_point(self, body, point):
+        """Of the velocity sensor there, or None."""
+        names = {s["sensor"] for s in self.run.sensors.values()
+                 if s.get("type") == "velocity" and s.get("body") == body}
+        for name in sorted(names):
+            there = self.run.point(f"sensors.{name}.point")
+            if point is not None and there is not None and numpy.max(numpy.abs(there - point)) < 1e-9:
+                return numpy.sqrt(sum(self.run.table[f"{name}.{axis}"]**2 for axis in "xyz"))
+        return None
 
     # ---------------------------------------------------------------- tyres
 

@@ -287,7 +287,7 @@ static int simulate_report(request *want, record *log)
   if (status == STATUS_DONE && !want->out) status = make_temporary(want);
   if (status == STATUS_DONE) status = simulate_model(want, log);
   if (status == STATUS_DONE)
-    status = page_draw(1, (const char *const *)&want->out, want->report, NULL);
+    status = page_draw(1, (const char *const *)&want->out, want->report, NULL, NULL);
   remove_temporary(want);
   return status;
 }
