@@ -124,6 +124,11 @@ const maggi_wheel_def *maggi_model_wheel(const maggi_model *m, int index)
   return in(index, m->nwheel) ? &m->wheel[index] : NULL;
 }
 
+const maggi_force_def *maggi_model_force(const maggi_model *m, int index)
+{
+  return in(index, m->nforce) ? &m->force[index] : NULL;
+}
+
 const maggi_objective_def *maggi_model_objective_def(const maggi_model *m, int index)
 {
   return in(index, m->nobjective) ? &m->objective[index] : NULL;

@@ -97,6 +97,8 @@ struct maggi_model {
   maggi_sensor_def *sensor; /* (topo.nsensor) */
   int nwheel;
   maggi_wheel_def *wheel;
+  int nforce;
+  maggi_force_def *force;
   int nroad;
   maggi_model_kind *road;
   int nfunction;

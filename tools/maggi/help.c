@@ -202,6 +202,8 @@ static const char help_report[] =
     "\n"
     "  --out PAGE.html      default RUN.html\n"
     "  --title TEXT         of the page; default: name of the model\n"
+    "  --width B            of the vehicle, m, for the lanes of ISO 3888-1 that a double lane\n"
+    "                       change is drawn in; default: over its tyres\n"
     "\n"
     "RUN.csv is written by maggi simulate --out.  What its columns are is read in RUN.csv.json\n"
     "beside it; without that the page has only what the names of the columns say.  Models with\n"

@@ -2,6 +2,7 @@
 #include "sheet.h"
 
 #include <fnmatch.h>
+#include <string.h>
 
 #include "tree.h"
 
@@ -130,6 +131,24 @@ static void json_wheels(json *j, const subject *s)
   json_close_array(j);
 }
 
+static void json_forces(json *j, const subject *s)
+{
+  const maggi_force_def *d;
+  int i;
+
+  json_open_array(j, "forces");
+  for (i = 0; (d = maggi_model_force(s->model, i)) != NULL; ++i) {
+    json_open_object(j, NULL);
+    json_string(j, "name", d->name);
+    json_string(j, "type", maggi_force_type_name(d->type));
+    if (d->body) json_string(j, "body", d->body);
+    if (d->coordinate) json_string(j, "coordinate", d->coordinate);
+    if (d->function) json_string(j, "function", d->function);
+    json_close_object(j);
+  }
+  json_close_array(j);
+}
+
 /* Names and types that `kind` gives for 0, 1, .. */
 static void json_kinds(json *j, const subject *s, const char *key,
                        const char *(*kind)(const maggi_model *m, int index, const char **type))
@@ -195,6 +214,7 @@ void sheet_json(json *j, const subject *s)
   json_sensors(j, s);
   json_filters(j, s);
   json_wheels(j, s);
+  json_forces(j, s);
   json_kinds(j, s, "roads", maggi_model_road);
   json_kinds(j, s, "functions", maggi_model_function);
   json_declared(j, s, "objectives", maggi_model_objective);

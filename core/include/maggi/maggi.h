@@ -830,10 +830,12 @@ const char *maggi_filter_column_unit(const maggi_model *m, int filter);
 int maggi_body_find(const maggi_model *m, const char *name);       /* -1: none */
 int maggi_coordinate_find(const maggi_model *m, const char *name); /* -1: none */
 
-/* Sensors and wheels as they were defined, in the order of the file: strings are owned by the model,
- * numbers are those of the file; the sensor is that of a column.  NULL outside the range.  since 0.5 */
+/* Sensors, wheels and forces as they were defined, in the order of the file, the sensor being that of a
+ * column: strings are owned by the model, numbers of sensors and wheels are those of the file; forces
+ * without numbers, none with arrays.  NULL outside the range.  since 0.5 */
 const maggi_sensor_def *maggi_model_sensor(const maggi_model *m, int column);
 const maggi_wheel_def *maggi_model_wheel(const maggi_model *m, int index);
+const maggi_force_def *maggi_model_force(const maggi_model *m, int index);
 
 /* Parameters: path, unit and default value of the entry `index` of p; path is NULL and value NAN
  * outside the range.  find returns -1 for an unknown path. */
