@@ -121,8 +121,9 @@ static inline int maggi_is_independent(const maggi_topo *t, int q)
   return t->col[q] >= 0 && t->col[q] < t->nind;
 }
 
-/* what has been computed of a state besides its evaluation: nothing; by maggi_balance; all results */
-enum { MAGGI_STALE, MAGGI_BALANCED, MAGGI_FRESH };
+/* what has been computed of a state besides its evaluation: nothing; accelerations of bodies; by maggi_balance;
+ * all results */
+enum { MAGGI_STALE, MAGGI_MOVED, MAGGI_BALANCED, MAGGI_FRESH };
 
 /* a point of the integration: positions, velocities, accelerations of coordinates, states of filters and
  * their rates in the lists above */
@@ -237,6 +238,7 @@ int maggi_is_singular(const maggi_data *d); /* whether the last evaluation canno
 void maggi_balance(maggi_data *d);          /* accelerations of bodies, forces, multipliers */
 void maggi_results(maggi_data *d);          /* what is computed only on demand */
 void maggi_evaluate_filters(maggi_data *d); /* rates of filters from the sensors of an evaluation */
+int maggi_sensor_needs_multipliers(int kind);
 double maggi_violation(const maggi_data *d); /* largest |Phi|, NAN if one is */
 double maggi_smallest_pivot(const maggi_data *d, double *ratio, int *dep);
 int maggi_worst_loop(const maggi_data *d);

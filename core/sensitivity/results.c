@@ -7,10 +7,9 @@ static unsigned need_of_sensor(int kind)
   case MAGGI_SENSOR_ACCELERATION:
   case MAGGI_SENSOR_ANGULAR_ACCELERATION:
     return MAGGI_RESULT_SENSOR | MAGGI_RESULT_ACCELERATION;
-  case MAGGI_SENSOR_ROD:
-    return MAGGI_RESULT_SENSOR | MAGGI_RESULT_FORCE;
   default:
-    return MAGGI_RESULT_SENSOR;
+    return MAGGI_RESULT_SENSOR |
+           (maggi_sensor_needs_multipliers(kind) ? (unsigned)MAGGI_RESULT_FORCE : 0u);
   }
 }
 
