@@ -193,7 +193,8 @@ static void check_state(const simulation *s, maggi_direct *direct, replay **r, l
 
 /* what has occurred, of all simulations */
 static struct {
-  long early, changes, closures, between, parts, kept, guided, redundant, knees;
+  long early, changes, closures, between, parts, kept, guided, redundant, knees, filters,
+      filters_between;
 } occurred;
 
 static void count(const maggi_data *d, const replay *r, long bends)
@@ -210,6 +211,8 @@ static void count(const maggi_data *d, const replay *r, long bends)
   occurred.guided += t->nguide > 0;
   occurred.redundant += rows > t->ndep;
   occurred.knees += bends;
+  occurred.filters += t->nfilter > 0;
+  occurred.filters_between += t->nfilter > 0 && n.between > 0;
 }
 
 /* Direct differentiation and complex simulations side by side.  Where motions diverge so
@@ -327,6 +330,8 @@ int main(int argc, char **argv)
     report_true(0, "guided motion", occurred.guided > 0);
     report_true(0, "redundant loops", occurred.redundant > 0);
     report_true(0, "knees of dampers were crossed", occurred.knees > 0);
+    report_true(0, "filters", occurred.filters > 30);
+    report_true(0, "filters between two nodes", occurred.filters_between > 0);
   }
   return report_done("derivative_simulation");
 }
