@@ -15,7 +15,10 @@ void maggi_sensors_b(const maggi_topo *t, const double p[restrict t->np], double
                      double Zb[restrict t->nbody + 1][6], const double rv[restrict t->npoint][3],
                      double rvb[restrict t->npoint][3], const double Za[restrict t->nbody + 1][6],
                      double Zab[restrict t->nbody + 1][6], const double ra[restrict t->npoint][3],
-                     double rab[restrict t->npoint][3], const double lambda[restrict t->nrow],
+                     double rab[restrict t->npoint][3], const double driver[restrict t->ndriver][4],
+                     double driverb[restrict t->ndriver][4],
+                     const double speed[restrict t->nspeed][3],
+                     double speedb[restrict t->nspeed][3], const double lambda[restrict t->nrow],
                      double lambdab[restrict t->nrow], double s[restrict t->nsensor][3],
                      double sb[restrict t->nsensor][3])
 {
@@ -39,43 +42,45 @@ void maggi_sensors_b(const maggi_topo *t, const double p[restrict t->np], double
       p_b2_3b, p_b2_4, p_b2_4b, p_b2_5, p_b2_5b, p_b2_6, p_b2_6b, p_b2b, p_k24, p_k24b, p_k25,
       p_k25b, r0, r0b, r2, r2b, ratio, ratio2, ratio2b, ratiob, re, reb, rhov, rhovb, roll, rollb,
       rolling0b, rolling1b, rolling2b, rolling3b, rolling4b, rolling5b, s2, s2b, s3, s3b, s4, s4b,
-      shift, shiftb, shy, shyb, side, slip0b, slip1, slip1b, slip2b, speed, speed2, speed2b, speedb,
-      stiff, stiff2, stiff2b, stiff3, stiff3b, stiff4, stiff4b, stiffb, svx, svxb, svy, svyb, t10,
-      t10b, t11, t11b, t12, t12b, t13, t13b, t14, t14b, t15, t15b, t16, t16b, t17, t17b, t18, t18b,
-      t19, t19b, t2, t20, t20b, t21, t21b, t22, t22b, t23, t23b, t24, t24b, t25, t25b, t26, t26b,
-      t27, t27b, t28, t28b, t29, t29b, t2b, t3, t30, t30b, t31, t31b, t32, t32b, t33, t33b, t34,
-      t34b, t35, t35b, t36, t36b, t37, t37b, t38, t38b, t39, t39b, t3b, t4, t40, t40b, t41, t41b,
-      t42, t42b, t43, t43b, t44, t44b, t45, t45b, t46, t46b, t47, t47b, t48, t48b, t49, t49b, t4b,
-      t5, t50, t50b, t51, t51b, t52, t52b, t53, t53b, t54, t54b, t55, t55b, t56, t56b, t57, t57b,
-      t58, t58b, t59, t59b, t5b, t6, t60, t60b, t61, t61b, t62, t62b, t63, t63b, t64, t64b, t65,
-      t65b, t66, t66b, t67, t67b, t68, t68b, t69, t69b, t6b, t7, t70, t70b, t71, t71b, t72, t72b,
-      t73, t73b, t74, t74b, t75, t75b, t76, t76b, t77, t77b, t78, t78b, t79, t79b, t7b, t8, t80,
-      t80b, t81, t81b, t82, t82b, t83, t83b, t84, t84b, t85, t85b, t86, t86b, t87, t87b, t88, t88b,
-      t89, t89b, t8b, t9, t90, t90b, t91, t91b, t92, t92b, t93, t93b, t94, t94b, t95, t95b, t96,
-      t96b, t97, t97b, t9b, tb10, tb100, tb101, tb102, tb103, tb104, tb105, tb106, tb107, tb108,
-      tb109, tb11, tb110, tb111, tb112, tb113, tb114, tb115, tb116, tb117, tb118, tb119, tb12,
-      tb120, tb121, tb122, tb123, tb124, tb125, tb126, tb127, tb128, tb129, tb13, tb130, tb131,
-      tb132, tb133, tb134, tb135, tb136, tb137, tb138, tb139, tb14, tb140, tb141, tb142, tb143,
-      tb144, tb145, tb146, tb147, tb148, tb149, tb15, tb150, tb151, tb152, tb153, tb154, tb155,
-      tb156, tb157, tb158, tb159, tb16, tb160, tb161, tb162, tb163, tb164, tb165, tb17, tb18, tb19,
-      tb2, tb20, tb21, tb22, tb23, tb24, tb25, tb26, tb27, tb28, tb29, tb3, tb30, tb31, tb32, tb33,
-      tb34, tb35, tb36, tb37, tb38, tb39, tb4, tb40, tb41, tb42, tb43, tb44, tb45, tb46, tb47, tb48,
-      tb49, tb5, tb50, tb51, tb52, tb53, tb54, tb55, tb56, tb57, tb58, tb59, tb6, tb60, tb61, tb62,
-      tb63, tb64, tb65, tb66, tb67, tb68, tb69, tb7, tb70, tb71, tb72, tb73, tb74, tb75, tb76, tb77,
-      tb78, tb79, tb8, tb80, tb81, tb82, tb83, tb84, tb85, tb86, tb87, tb88, tb89, tb9, tb90, tb91,
-      tb92, tb93, tb94, tb95, tb96, tb97, tb98, tb99, torque0b, u20, u20b, u21, u21b, u22, u22b,
-      ua0, ua0b, ua1, ua1b, ua2, ua2b, un0, un0b, un1, un1b, un2, un2b, v20, v20b, v21, v21b, v22,
-      v22b, vr0, vr0b, vr1, vr1b, vr2, vr2b, vx, vxb, w, way, wayb, wb, wr0, wr0b, wr1, wr1b, wr2,
-      wr2b, x2, x2b, x3, x3b, x4, x4b, x50, x50b, x51, x51b, x6, x6b, x7, x7b, x8, x8b, x9, x9b, xv,
-      xvb, y, y10, y10b, y11, y11b, y12, y12b, y13, y13b, y14, y14b, y15, y15b, y16, y16b, y17,
-      y17b, y18, y18b, y20, y20b, y21, y21b, y22, y22b, y23, y23b, y24, y24b, y3, y3b, y4, y4b, y5,
-      y5b, y6, y6b, y7, y7b, y8, y8b, y9, y9b, yb, z0_2b, z0_3b, z0b, z1_2b, z1_3, z1_3b, z1b, z20,
-      z20b, z21, z21b, z22, z22b, z30, z30b, z31b, z4, z4b, z5, z5b, z6, z6b;
+      shift, shiftb, shy, shyb, side, slip0b, slip1, slip1b, slip2b, speed2, speed2b, speed3,
+      speed3b, stiff, stiff2, stiff2b, stiff3, stiff3b, stiff4, stiff4b, stiffb, svx, svxb, svy,
+      svyb, t10, t10b, t11, t11b, t12, t12b, t13, t13b, t14, t14b, t15, t15b, t16, t16b, t17, t17b,
+      t18, t18b, t19, t19b, t2, t20, t20b, t21, t21b, t22, t22b, t23, t23b, t24, t24b, t25, t25b,
+      t26, t26b, t27, t27b, t28, t28b, t29, t29b, t2b, t3, t30, t30b, t31, t31b, t32, t32b, t33,
+      t33b, t34, t34b, t35, t35b, t36, t36b, t37, t37b, t38, t38b, t39, t39b, t3b, t4, t40, t40b,
+      t41, t41b, t42, t42b, t43, t43b, t44, t44b, t45, t45b, t46, t46b, t47, t47b, t48, t48b, t49,
+      t49b, t4b, t5, t50, t50b, t51, t51b, t52, t52b, t53, t53b, t54, t54b, t55, t55b, t56, t56b,
+      t57, t57b, t58, t58b, t59, t59b, t5b, t6, t60, t60b, t61, t61b, t62, t62b, t63, t63b, t64,
+      t64b, t65, t65b, t66, t66b, t67, t67b, t68, t68b, t69, t69b, t6b, t7, t70, t70b, t71, t71b,
+      t72, t72b, t73, t73b, t74, t74b, t75, t75b, t76, t76b, t77, t77b, t78, t78b, t79, t79b, t7b,
+      t8, t80, t80b, t81, t81b, t82, t82b, t83, t83b, t84, t84b, t85, t85b, t86, t86b, t87, t87b,
+      t88, t88b, t89, t89b, t8b, t9, t90, t90b, t91, t91b, t92, t92b, t93, t93b, t94, t94b, t95,
+      t95b, t96, t96b, t97, t97b, t9b, tb10, tb100, tb101, tb102, tb103, tb104, tb105, tb106, tb107,
+      tb108, tb109, tb11, tb110, tb111, tb112, tb113, tb114, tb115, tb116, tb117, tb118, tb119,
+      tb12, tb120, tb121, tb122, tb123, tb124, tb125, tb126, tb127, tb128, tb129, tb13, tb130,
+      tb131, tb132, tb133, tb134, tb135, tb136, tb137, tb138, tb139, tb14, tb140, tb141, tb142,
+      tb143, tb144, tb145, tb146, tb147, tb148, tb149, tb15, tb150, tb151, tb152, tb153, tb154,
+      tb155, tb156, tb157, tb158, tb159, tb16, tb160, tb161, tb162, tb163, tb164, tb165, tb17, tb18,
+      tb19, tb2, tb20, tb21, tb22, tb23, tb24, tb25, tb26, tb27, tb28, tb29, tb3, tb30, tb31, tb32,
+      tb33, tb34, tb35, tb36, tb37, tb38, tb39, tb4, tb40, tb41, tb42, tb43, tb44, tb45, tb46, tb47,
+      tb48, tb49, tb5, tb50, tb51, tb52, tb53, tb54, tb55, tb56, tb57, tb58, tb59, tb6, tb60, tb61,
+      tb62, tb63, tb64, tb65, tb66, tb67, tb68, tb69, tb7, tb70, tb71, tb72, tb73, tb74, tb75, tb76,
+      tb77, tb78, tb79, tb8, tb80, tb81, tb82, tb83, tb84, tb85, tb86, tb87, tb88, tb89, tb9, tb90,
+      tb91, tb92, tb93, tb94, tb95, tb96, tb97, tb98, tb99, torque0b, u20, u20b, u21, u21b, u22,
+      u22b, ua0, ua0b, ua1, ua1b, ua2, ua2b, un0, un0b, un1, un1b, un2, un2b, v20, v20b, v21, v21b,
+      v22, v22b, vr0, vr0b, vr1, vr1b, vr2, vr2b, vx, vxb, w, way, wayb, wb, wr0, wr0b, wr1, wr1b,
+      wr2, wr2b, x2, x2b, x3, x3b, x4, x4b, x50, x50b, x51, x51b, x6, x6b, x7, x7b, x8, x8b, x9,
+      x9b, xv, xvb, y, y10, y10b, y11, y11b, y12, y12b, y13, y13b, y14, y14b, y15, y15b, y16, y16b,
+      y17, y17b, y18, y18b, y20, y20b, y21, y21b, y22, y22b, y23, y23b, y24, y24b, y3, y3b, y4, y4b,
+      y5, y5b, y6, y6b, y7, y7b, y8, y8b, y9, y9b, yb, z0_2b, z0_3b, z0b, z1_2b, z1_3, z1_3b, z1b,
+      z20, z20b, z21, z21b, z22, z22b, z30, z30b, z31b, z4, z4b, z5, z5b, z6, z6b;
 
   (void)origin;
   (void)x;
   (void)Za;
   (void)ra;
+  (void)driver;
+  (void)speed;
   (void)lambda;
   A_j0 = 0.0;
   A_j3 = 0.0;
@@ -149,7 +154,7 @@ void maggi_sensors_b(const maggi_topo *t, const double p[restrict t->np], double
   s2 = 0.0;
   side = 0.0;
   slip1 = 0.0;
-  speed = 0.0;
+  speed2 = 0.0;
   t11 = 0.0;
   t12 = 0.0;
   t2 = 0.0;
@@ -251,125 +256,131 @@ void maggi_sensors_b(const maggi_topo *t, const double p[restrict t->np], double
                   l2 = sqrt(t7);
                   z1_3 = s[i][1];
                 } else {
-                  a4_2 = t->wheelpoint[n2];
-                  b2_2 = t->wheelroad[n2];
-                  j = t->wheelbody[n2];
-                  k = t->wheelcarrier[n2];
-                  side = t->wheelmirror[n2] ? -1.0 : 1.0;
-                  a00 = p[t->wheelaxis[n2]];
-                  a01 = p[t->wheelaxis[n2] + 1];
-                  a02 = p[t->wheelaxis[n2] + 2];
-                  ua0 = A[j][0] * a00 + A[j][1] * a01 + A[j][2] * a02;
-                  ua1 = A[j][3] * a00 + A[j][4] * a01 + A[j][5] * a02;
-                  ua2 = A[j][6] * a00 + A[j][7] * a01 + A[j][8] * a02;
-                  t8 = ua0 * ua0 + ua1 * ua1 + ua2 * ua2;
-                  n4 = sqrt(t8);
-                  u20 = ua0 / n4;
-                  u21 = ua1 / n4;
-                  u22 = ua2 / n4;
-                  g0 = r[a4_2][0] - r[t->roadpoint[b2_2]][0];
-                  g2_2 = r[a4_2][2] - r[t->roadpoint[b2_2]][2];
-                  x4 = g0;
-                  if (t->roadkind[b2_2] == MAGGI_ROAD_FLAT) {
-                    p_b2 = p[t->roadadr[b2_2]];
-                    h00 = p_b2 * x4;
-                  } else {
-                    p_b2_2 = p[t->roadadr[b2_2] + 1];
-                    t9 = 6.28318530717958647693 * x4 / p_b2_2;
-                    t10 = sin(t9);
-                    p_b2_3 = p[t->roadadr[b2_2]];
-                    h00 = p_b2_3 * t10;
+                  if (t->sensorkind[i] != MAGGI_SENSOR_SPEED) {
+                    if (t->sensorkind[i] != MAGGI_SENSOR_DRIVER) {
+                      a4_2 = t->wheelpoint[n2];
+                      b2_2 = t->wheelroad[n2];
+                      j = t->wheelbody[n2];
+                      k = t->wheelcarrier[n2];
+                      side = t->wheelmirror[n2] ? -1.0 : 1.0;
+                      a00 = p[t->wheelaxis[n2]];
+                      a01 = p[t->wheelaxis[n2] + 1];
+                      a02 = p[t->wheelaxis[n2] + 2];
+                      ua0 = A[j][0] * a00 + A[j][1] * a01 + A[j][2] * a02;
+                      ua1 = A[j][3] * a00 + A[j][4] * a01 + A[j][5] * a02;
+                      ua2 = A[j][6] * a00 + A[j][7] * a01 + A[j][8] * a02;
+                      t8 = ua0 * ua0 + ua1 * ua1 + ua2 * ua2;
+                      n4 = sqrt(t8);
+                      u20 = ua0 / n4;
+                      u21 = ua1 / n4;
+                      u22 = ua2 / n4;
+                      g0 = r[a4_2][0] - r[t->roadpoint[b2_2]][0];
+                      g2_2 = r[a4_2][2] - r[t->roadpoint[b2_2]][2];
+                      x4 = g0;
+                      if (t->roadkind[b2_2] == MAGGI_ROAD_FLAT) {
+                        p_b2 = p[t->roadadr[b2_2]];
+                        h00 = p_b2 * x4;
+                      } else {
+                        p_b2_2 = p[t->roadadr[b2_2] + 1];
+                        t9 = 6.28318530717958647693 * x4 / p_b2_2;
+                        t10 = sin(t9);
+                        p_b2_3 = p[t->roadadr[b2_2]];
+                        h00 = p_b2_3 * t10;
+                      }
+                      t11 = u20 * u20 + u21 * u21;
+                      t12 = u22 * u20 / t11;
+                      x3 = g0 + t12 * (g2_2 - h00);
+                      if (t->roadkind[b2_2] == MAGGI_ROAD_FLAT) {
+                        p_b2_4 = p[t->roadadr[b2_2]];
+                        h10 = p_b2_4 * x3;
+                        h11 = p_b2_4;
+                      } else {
+                        p_b2_5 = p[t->roadadr[b2_2] + 1];
+                        t13 = 6.28318530717958647693 * x3 / p_b2_5;
+                        t14 = sin(t13);
+                        p_b2_6 = p[t->roadadr[b2_2]];
+                        h10 = p_b2_6 * t14;
+                        t15 = p_b2_6 * 6.28318530717958647693 / p_b2_5;
+                        t16 = 6.28318530717958647693 * x3 / p_b2_5;
+                        t17 = cos(t16);
+                        h11 = t15 * t17;
+                      }
+                      t18 = 1.0 + h11 * h11;
+                      s2 = sqrt(t18);
+                      n50 = -h11 / s2;
+                      n51 = 0.0;
+                      n52 = 1.0 / s2;
+                      c = u20 * n50 + u21 * n51 + u22 * n52;
+                      un0 = u21 * n52 - u22 * n51;
+                      un1 = u22 * n50 - u20 * n52;
+                      un2 = u20 * n51 - u21 * n50;
+                      t19 = un0 * un0 + un1 * un1 + un2 * un2;
+                      w = sqrt(t19);
+                      r2 = ((g0 - x3) * n50 + (g2_2 - h10) * n52) / w;
+                      along0 = un0 / w;
+                      along1 = un1 / w;
+                      along2 = un2 / w;
+                      L0 = n51 * along2 - n52 * along1;
+                      L1 = n52 * along0 - n50 * along2;
+                      L2 = n50 * along1 - n51 * along0;
+                      arm0 = r2 * (c * u20 - n50) / w;
+                      T0 = along0;
+                      N0 = n50;
+                      arm1 = r2 * (c * u21 - n51) / w;
+                      T1 = along1;
+                      N1 = n51;
+                      arm2 = r2 * (c * u22 - n52) / w;
+                      T2 = along2;
+                      N2 = n52;
+                      z20 = r2;
+                      z21 = c;
+                      z22 = w;
+                      Z_k3 = Z[k][3];
+                      wr0 = Z_k3;
+                      Z_k4 = Z[k][4];
+                      wr1 = Z_k4;
+                      Z_k5 = Z[k][5];
+                      wr2 = Z_k5;
+                      vr0 = wr1 * arm2 - wr2 * arm1;
+                      vr1 = wr2 * arm0 - wr0 * arm2;
+                      vr2 = wr0 * arm1 - wr1 * arm0;
+                      v20 = rv[a4_2][0] + vr0;
+                      v21 = rv[a4_2][1] + vr1;
+                      v22 = rv[a4_2][2] + vr2;
+                      vx = v20 * T0 + v21 * T1 + v22 * T2;
+                      rhov = -(v20 * N0 + v21 * N1 + v22 * N2) / z22;
+                      omega = (Z[j][3] - Z_k3) * u20 + (Z[j][4] - Z_k4) * u21 + (Z[j][5] - Z_k5) *
+                          u22;
+                      p2 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_VERTICAL_STIFFNESS];
+                      p3 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_UNLOADED_RADIUS];
+                      fz = p2 * (p3 - z20) + p[t->tyreadr[t->wheeltyre[n2]] +
+                          MAGGI_TYRE_VERTICAL_DAMPING] * rhov;
+                      fz0 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LFZO] *
+                          p[t->tyreadr[t->wheeltyre[n2]]];
+                      ratio = fz / fz0;
+                      t20 = fz0 / p2;
+                      t21 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_BREFF] * ratio;
+                      t22 = atan(t21);
+                      re = p3 - t20 * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_DREFF] * t22 +
+                          p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_FREFF] * ratio);
+                      if (MAGGI_RE(vx) > MAGGI_RE(p[t->tyreadr[t->wheeltyre[n2]] +
+                          MAGGI_TYRE_VXLOW])) {
+                        y = vx;
+                      } else if (MAGGI_RE(vx) < -MAGGI_RE(p[t->tyreadr[t->wheeltyre[n2]] +
+                          MAGGI_TYRE_VXLOW])) {
+                        y = -vx;
+                      } else {
+                        p4 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_VXLOW];
+                        t23 = vx * vx / p4;
+                        y = 0.5 * (p4 + t23);
+                      }
+                      speed2 = y;
+                      kappa = (omega * re - vx) / speed2;
+                      a2 = (v20 * L0 + v21 * L1 + v22 * L2) / speed2;
+                      gamma = atan2(z21, z22);
+                      slip1 = a2;
+                    }
                   }
-                  t11 = u20 * u20 + u21 * u21;
-                  t12 = u22 * u20 / t11;
-                  x3 = g0 + t12 * (g2_2 - h00);
-                  if (t->roadkind[b2_2] == MAGGI_ROAD_FLAT) {
-                    p_b2_4 = p[t->roadadr[b2_2]];
-                    h10 = p_b2_4 * x3;
-                    h11 = p_b2_4;
-                  } else {
-                    p_b2_5 = p[t->roadadr[b2_2] + 1];
-                    t13 = 6.28318530717958647693 * x3 / p_b2_5;
-                    t14 = sin(t13);
-                    p_b2_6 = p[t->roadadr[b2_2]];
-                    h10 = p_b2_6 * t14;
-                    t15 = p_b2_6 * 6.28318530717958647693 / p_b2_5;
-                    t16 = 6.28318530717958647693 * x3 / p_b2_5;
-                    t17 = cos(t16);
-                    h11 = t15 * t17;
-                  }
-                  t18 = 1.0 + h11 * h11;
-                  s2 = sqrt(t18);
-                  n50 = -h11 / s2;
-                  n51 = 0.0;
-                  n52 = 1.0 / s2;
-                  c = u20 * n50 + u21 * n51 + u22 * n52;
-                  un0 = u21 * n52 - u22 * n51;
-                  un1 = u22 * n50 - u20 * n52;
-                  un2 = u20 * n51 - u21 * n50;
-                  t19 = un0 * un0 + un1 * un1 + un2 * un2;
-                  w = sqrt(t19);
-                  r2 = ((g0 - x3) * n50 + (g2_2 - h10) * n52) / w;
-                  along0 = un0 / w;
-                  along1 = un1 / w;
-                  along2 = un2 / w;
-                  L0 = n51 * along2 - n52 * along1;
-                  L1 = n52 * along0 - n50 * along2;
-                  L2 = n50 * along1 - n51 * along0;
-                  arm0 = r2 * (c * u20 - n50) / w;
-                  T0 = along0;
-                  N0 = n50;
-                  arm1 = r2 * (c * u21 - n51) / w;
-                  T1 = along1;
-                  N1 = n51;
-                  arm2 = r2 * (c * u22 - n52) / w;
-                  T2 = along2;
-                  N2 = n52;
-                  z20 = r2;
-                  z21 = c;
-                  z22 = w;
-                  Z_k3 = Z[k][3];
-                  wr0 = Z_k3;
-                  Z_k4 = Z[k][4];
-                  wr1 = Z_k4;
-                  Z_k5 = Z[k][5];
-                  wr2 = Z_k5;
-                  vr0 = wr1 * arm2 - wr2 * arm1;
-                  vr1 = wr2 * arm0 - wr0 * arm2;
-                  vr2 = wr0 * arm1 - wr1 * arm0;
-                  v20 = rv[a4_2][0] + vr0;
-                  v21 = rv[a4_2][1] + vr1;
-                  v22 = rv[a4_2][2] + vr2;
-                  vx = v20 * T0 + v21 * T1 + v22 * T2;
-                  rhov = -(v20 * N0 + v21 * N1 + v22 * N2) / z22;
-                  omega = (Z[j][3] - Z_k3) * u20 + (Z[j][4] - Z_k4) * u21 + (Z[j][5] - Z_k5) * u22;
-                  p2 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_VERTICAL_STIFFNESS];
-                  p3 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_UNLOADED_RADIUS];
-                  fz = p2 * (p3 - z20) + p[t->tyreadr[t->wheeltyre[n2]] +
-                      MAGGI_TYRE_VERTICAL_DAMPING] * rhov;
-                  fz0 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LFZO] *
-                      p[t->tyreadr[t->wheeltyre[n2]]];
-                  ratio = fz / fz0;
-                  t20 = fz0 / p2;
-                  t21 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_BREFF] * ratio;
-                  t22 = atan(t21);
-                  re = p3 - t20 * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_DREFF] * t22 +
-                      p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_FREFF] * ratio);
-                  if (MAGGI_RE(vx) > MAGGI_RE(p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_VXLOW])) {
-                    y = vx;
-                  } else if (MAGGI_RE(vx) < -MAGGI_RE(p[t->tyreadr[t->wheeltyre[n2]] +
-                      MAGGI_TYRE_VXLOW])) {
-                    y = -vx;
-                  } else {
-                    p4 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_VXLOW];
-                    t23 = vx * vx / p4;
-                    y = 0.5 * (p4 + t23);
-                  }
-                  speed = y;
-                  kappa = (omega * re - vx) / speed;
-                  a2 = (v20 * L0 + v21 * L1 + v22 * L2) / speed;
-                  gamma = atan2(z21, z22);
-                  slip1 = a2;
                 }
               }
             }
@@ -457,7 +468,7 @@ void maggi_sensors_b(const maggi_topo *t, const double p[restrict t->np], double
     slip0b = 0.0;
     slip1b = 0.0;
     slip2b = 0.0;
-    speedb = 0.0;
+    speed2b = 0.0;
     t11b = 0.0;
     t12b = 0.0;
     t18b = 0.0;
@@ -773,6 +784,20 @@ void maggi_sensors_b(const maggi_topo *t, const double p[restrict t->np], double
       /* distance of two points and its rate */
       rb[a4][0] += e20b;
       rb[b2][0] -= e20b;
+    } else if (t->sensorkind[i] == MAGGI_SENSOR_SPEED) {
+      speedb[n2][2] += sb[i][2];
+      sb[i][2] = 0.0;
+      speedb[n2][1] += sb[i][1];
+      sb[i][1] = 0.0;
+      speedb[n2][0] += sb[i][0];
+      sb[i][0] = 0.0;
+    } else if (t->sensorkind[i] == MAGGI_SENSOR_DRIVER) {
+      driverb[n2][2] += sb[i][2];
+      sb[i][2] = 0.0;
+      driverb[n2][1] += sb[i][1];
+      sb[i][1] = 0.0;
+      driverb[n2][0] += sb[i][0];
+      sb[i][0] = 0.0;
     } else {
       if (t->sensorkind[i] == MAGGI_SENSOR_TYRE_SLIP) {
         slip2b += sb[i][2];
@@ -1097,7 +1122,7 @@ void maggi_sensors_b(const maggi_topo *t, const double p[restrict t->np], double
               MAGGI_TYRE_LS];
           t95 = one4 / p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LOW_SPEED];
           way = tanh(t95);
-          speed2 = one4 / p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LONGVL];
+          speed3 = one4 / p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LONGVL];
           t96 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSX3] * fy / fz0_2;
           t97 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY2] * fx / fz0_2;
           force5b = rolling5b * side;
@@ -1121,9 +1146,9 @@ void maggi_sensors_b(const maggi_topo *t, const double p[restrict t->np], double
           fxb = force5b * s3;
           tb156 = force4b * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMY];
           tb157 = tb156 * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY1] + t97 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * way * speed2 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2 * speed2 * speed2 *
-              speed2);
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * way * speed3 +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed3 * speed3 * speed3 *
+              speed3);
           tb158 = tb157 * fz2;
           wayb = -(tb158 * r0);
           r0b = -(tb158 * way);
@@ -1131,24 +1156,24 @@ void maggi_sensors_b(const maggi_topo *t, const double p[restrict t->np], double
           tb159 = tb156 * (-way * r0 * fz2);
           pb[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY1] += tb159;
           t97b = tb159;
-          tb160 = tb159 * speed2;
+          tb160 = tb159 * speed3;
           pb[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] += tb160 * way;
           wayb += tb160 * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3];
-          speed2b = tb159 * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * way);
-          tb161 = tb159 * speed2;
-          tb162 = tb161 * speed2;
-          tb163 = tb162 * speed2;
-          pb[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] += tb163 * speed2;
-          speed2b += tb163 * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4];
-          speed2b += tb162 * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2);
-          speed2b += tb161 * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2 * speed2);
-          speed2b += tb159 * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2 * speed2 *
-              speed2);
+          speed3b = tb159 * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * way);
+          tb161 = tb159 * speed3;
+          tb162 = tb161 * speed3;
+          tb163 = tb162 * speed3;
+          pb[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] += tb163 * speed3;
+          speed3b += tb163 * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4];
+          speed3b += tb162 * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed3);
+          speed3b += tb161 * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed3 * speed3);
+          speed3b += tb159 * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed3 * speed3 *
+              speed3);
           pb[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMY] += force4b * (-way * r0 * fz2 *
               (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY1] + t97 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * way * speed2 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2 * speed2 * speed2 *
-              speed2));
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * way * speed3 +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed3 * speed3 * speed3 *
+              speed3));
           tb155 = t97b / fz0_2;
           pb[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY2] += tb155 * fx;
           fxb += tb155 * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY2];
@@ -1176,9 +1201,9 @@ void maggi_sensors_b(const maggi_topo *t, const double p[restrict t->np], double
           fz2b += force2b;
           fyb += force1b;
           fxb += force0b;
-          tb150 = speed2b / p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LONGVL];
+          tb150 = speed3b / p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LONGVL];
           one4b += tb150;
-          pb[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LONGVL] -= tb150 * speed2;
+          pb[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LONGVL] -= tb150 * speed3;
           t95b = wayb * (1.0 - way * way);
           tb149 = t95b / p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LOW_SPEED];
           one4b += tb149;
@@ -1929,20 +1954,20 @@ void maggi_sensors_b(const maggi_topo *t, const double p[restrict t->np], double
       }
       z21b += gammab * (z22 / (z22 * z22 + z21 * z21));
       z22b -= gammab * (z21 / (z22 * z22 + z21 * z21));
-      tb59 = a2b / speed;
+      tb59 = a2b / speed2;
       v20b += tb59 * L0;
       L0b += tb59 * v20;
       v21b += tb59 * L1;
       L1b += tb59 * v21;
       v22b += tb59 * L2;
       L2b += tb59 * v22;
-      speedb -= tb59 * a2;
-      tb58 = kappab / speed;
+      speed2b -= tb59 * a2;
+      tb58 = kappab / speed2;
       omegab += tb58 * re;
       reb += tb58 * omega;
       vxb -= tb58;
-      speedb -= tb58 * kappa;
-      yb += speedb;
+      speed2b -= tb58 * kappa;
+      yb += speed2b;
       /* |v|; less than low gives way to (low + v^2 / low) / 2, which is not 0 at rest */
       if (MAGGI_RE(vx) > MAGGI_RE(p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_VXLOW])) {
         vxb += yb;

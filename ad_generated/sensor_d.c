@@ -21,9 +21,13 @@ void maggi_sensors_d(const maggi_topo *t, const double p[restrict t->np],
                      const double Za[restrict t->nbody + 1][6],
                      const double Zad[restrict t->nbody + 1][6],
                      const double ra[restrict t->npoint][3],
-                     const double rad[restrict t->npoint][3], const double lambda[restrict t->nrow],
-                     const double lambdad[restrict t->nrow], double s[restrict t->nsensor][3],
-                     double sd[restrict t->nsensor][3])
+                     const double rad[restrict t->npoint][3],
+                     const double driver[restrict t->ndriver][4],
+                     const double driverd[restrict t->ndriver][4],
+                     const double speed[restrict t->nspeed][3],
+                     const double speedd[restrict t->nspeed][3],
+                     const double lambda[restrict t->nrow], const double lambdad[restrict t->nrow],
+                     double s[restrict t->nsensor][3], double sd[restrict t->nsensor][3])
 {
   int a, a4, a4_2, b, b2, b2_2, i, j, k, k2, n2;
   double A_j0, A_j0d, A_j3, A_j3d, A_j7, A_j7d, A_j8, A_j8d, L0, L0d, L1, L1d, L2, L2d, N0, N0d, N1,
@@ -49,7 +53,7 @@ void maggi_sensors_d(const maggi_topo *t, const double p[restrict t->np],
       p_b2_5, p_b2_5d, p_b2_5inv, p_b2_6, p_b2_6d, p_b2d, p_k24, p_k24d, p_k25, p_k25d, r0, r0d, r2,
       r2d, ratio, ratio2, ratio2d, ratiod, re, red, rhov, rhovd, roll, rolld, rolling0d, rolling1d,
       rolling2d, rolling3d, rolling4d, rolling5d, s2, s2d, s2inv, s3, s3d, s4, s4d, shift, shiftd,
-      shy, shyd, side, slip0d, slip1, slip1d, slip2d, speed, speed2, speed2d, speedd, speedinv,
+      shy, shyd, side, slip0d, slip1, slip1d, slip2d, speed2, speed2d, speed2inv, speed3, speed3d,
       stiff, stiff2, stiff2d, stiff2inv, stiff3, stiff3d, stiff4, stiff4d, stiffd, svx, svxd, svy,
       svyd, t10, t10d, t11, t11d, t11inv, t12, t12d, t13, t13d, t14, t14d, t15, t15d, t16, t16d,
       t17, t17d, t18, t18d, t19, t19d, t2, t20, t20d, t21, t21d, t22, t22d, t23, t23d, t24, t24d,
@@ -77,6 +81,8 @@ void maggi_sensors_d(const maggi_topo *t, const double p[restrict t->np],
   (void)x;
   (void)Za;
   (void)ra;
+  (void)driver;
+  (void)speed;
   (void)lambda;
   for (i = 0; i < t->nsensor; ++i) {
     j = t->sensorbody[i];
@@ -263,6 +269,14 @@ void maggi_sensors_d(const maggi_topo *t, const double p[restrict t->np],
       sd[i][0] = z0_3d;
       sd[i][1] = z1_3d;
       sd[i][2] = lambdad[t->primrow[n2]];
+    } else if (t->sensorkind[i] == MAGGI_SENSOR_SPEED) {
+      sd[i][0] = speedd[n2][0];
+      sd[i][1] = speedd[n2][1];
+      sd[i][2] = speedd[n2][2];
+    } else if (t->sensorkind[i] == MAGGI_SENSOR_DRIVER) {
+      sd[i][0] = driverd[n2][0];
+      sd[i][1] = driverd[n2][1];
+      sd[i][2] = driverd[n2][2];
     } else {
       a4_2 = t->wheelpoint[n2];
       b2_2 = t->wheelroad[n2];
@@ -507,14 +521,14 @@ void maggi_sensors_d(const maggi_topo *t, const double p[restrict t->np],
         y = 0.5 * (p4 + t23);
         yd = 0.5 * (p4d + t23d);
       }
-      speed = y;
-      speedd = yd;
-      kappa = (omega * re - vx) / speed;
-      speedinv = 1.0 / speed;
-      kappad = (omegad * re + omega * red - vxd - kappa * speedd) * speedinv;
-      a2 = (v20 * L0 + v21 * L1 + v22 * L2) / speed;
+      speed2 = y;
+      speed2d = yd;
+      kappa = (omega * re - vx) / speed2;
+      speed2inv = 1.0 / speed2;
+      kappad = (omegad * re + omega * red - vxd - kappa * speed2d) * speed2inv;
+      a2 = (v20 * L0 + v21 * L1 + v22 * L2) / speed2;
       a2d = (v20d * L0 + v20 * L0d + (v21d * L1 + v21 * L1d) + (v22d * L2 + v22 * L2d) - a2 *
-          speedd) * speedinv;
+          speed2d) * speed2inv;
       gamma = atan2(z21, z22);
       c20 = z22 / (z22 * z22 + z21 * z21);
       c21 = -(z21 / (z22 * z22 + z21 * z21));
@@ -1329,9 +1343,9 @@ void maggi_sensors_d(const maggi_topo *t, const double p[restrict t->np],
           t95d = (one4d - t95 * pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LOW_SPEED]) * inv2;
           way = tanh(t95);
           wayd = (1.0 - way * way) * t95d;
-          speed2 = one4 / p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LONGVL];
+          speed3 = one4 / p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LONGVL];
           inv3 = 1.0 / p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LONGVL];
-          speed2d = (one4d - speed2 * pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LONGVL]) * inv3;
+          speed3d = (one4d - speed3 * pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LONGVL]) * inv3;
           force0d = fxd;
           force1d = fyd;
           force2d = fz2d;
@@ -1354,21 +1368,21 @@ void maggi_sensors_d(const maggi_topo *t, const double p[restrict t->np],
               p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY2] * fxd - t97 * fz0_2d) * fz0_2inv;
           force4d = (((-(wayd * r0) - way * r0d) * fz2 + -way * r0 * fz2d) *
               (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY1] + t97 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * way * speed2 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2 * speed2 * speed2 * speed2)
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * way * speed3 +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed3 * speed3 * speed3 * speed3)
               + -way * r0 * fz2 * (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY1] + t97d +
               ((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * way +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * wayd) * speed2 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * way * speed2d) +
-              ((((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2d) * speed2 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2 * speed2d) * speed2 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2 * speed2 * speed2d) *
-              speed2 + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2 * speed2 * speed2
-              * speed2d))) * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMY] + -way * r0 * fz2 *
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * wayd) * speed3 +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * way * speed3d) +
+              ((((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed3 +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed3d) * speed3 +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed3 * speed3d) * speed3 +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed3 * speed3 * speed3d) *
+              speed3 + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed3 * speed3 * speed3
+              * speed3d))) * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMY] + -way * r0 * fz2 *
               (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY1] + t97 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * way * speed2 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2 * speed2 * speed2 * speed2)
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * way * speed3 +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed3 * speed3 * speed3 * speed3)
               * pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMY];
           force5d = -(z30d * (fy - g21)) - z30 * (fyd - g21d) + z31d + (s3d * fx + s3 * fxd);
           rolling0d = force0d;

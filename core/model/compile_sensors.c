@@ -21,7 +21,9 @@ static const titles columns_of[MAGGI_SENSOR_TYPE_COUNT] = {
     [MAGGI_SENSOR_ROD] = {{"length", "rate", "force"}, {"m", "m/s", "N"}},
     [MAGGI_SENSOR_TYRE_SLIP] = {{"kappa", "alpha", "gamma"}, {"-", "rad", "rad"}},
     [MAGGI_SENSOR_TYRE_FORCE] = {{"fx", "fy", "fz"}, {"N", "N", "N"}},
-    [MAGGI_SENSOR_TYRE_MOMENT] = {{"mx", "my", "mz"}, {"N m", "N m", "N m"}}};
+    [MAGGI_SENSOR_TYRE_MOMENT] = {{"mx", "my", "mz"}, {"N m", "N m", "N m"}},
+    [MAGGI_SENSOR_SPEED] = {{"error", "torque", "speed"}, {"m/s", "N m", "m/s"}},
+    [MAGGI_SENSOR_DRIVER] = {{"error", "distance", "demand"}, {"m", "m", "rad"}}};
 
 static const titles columns_of_angle = {{"value", "rate", "torque"}, {"rad", "rad/s", "N m"}};
 
@@ -29,6 +31,20 @@ static const titles columns_of_angle = {{"value", "rate", "torque"}, {"rad", "ra
 #define FIND(list, n, element)                                                                     \
   for (i = 0; i < (n) && d->element; ++i)                                                          \
     if (strcmp((list)[i].name, d->element) == 0) *element = i;
+
+/* among the forces */
+static void find_speed(const maggi_compile *c, const maggi_sensor_def *d, int *element)
+{
+  const maggi_force_def *f;
+  int i, n = 0;
+
+  for (i = 0; i < c->b->nforce && d->element; ++i) {
+    f = &c->b->force[i];
+    if (f->type != MAGGI_FORCE_SPEED && f->type != MAGGI_FORCE_SPEED_LINEAR) continue;
+    if (strcmp(f->name, d->element) == 0) *element = n;
+    ++n;
+  }
+}
 
 static maggi_status find_element(maggi_compile *c, const maggi_sensor_def *d, int *element)
 {
@@ -42,6 +58,12 @@ static maggi_status find_element(maggi_compile *c, const maggi_sensor_def *d, in
   } else if (d->type == MAGGI_SENSOR_JOINT_SPRING) {
     what = "joint spring";
     FIND(c->b->joint_spring, c->b->njoint_spring, element)
+  } else if (d->type == MAGGI_SENSOR_DRIVER) {
+    what = "driver";
+    FIND(c->b->driver, c->b->ndriver, element)
+  } else if (d->type == MAGGI_SENSOR_SPEED) {
+    what = "controller of speed";
+    find_speed(c, d, element);
   } else if (d->type >= MAGGI_SENSOR_TYRE_SLIP) {
     what = "wheel";
     FIND(c->b->wheel, c->b->nwheel, element)

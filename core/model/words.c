@@ -24,7 +24,9 @@ static const char *const sensor_words[] = {"position",
                                            "rod",
                                            "tyre_slip",
                                            "tyre_force",
-                                           "tyre_moment"};
+                                           "tyre_moment",
+                                           "speed_controller",
+                                           "driver"};
 static const char *const road_words[] = {"flat", "sine"};
 static const char *const objective_words[] = {
     "integral", "integral_square", "mean", "mean_square",    "rms",   "rmq",      "vdv",
