@@ -113,7 +113,10 @@ static inline int open_chain_couples(const maggi_topo *t, int qi, int qj)
     yes = yes || (qi == t->driverq[i] && open_chain_moves(t, qj, t->pointbody[t->driverpoint[i]]));
   for (i = 0; i < t->nspeed; ++i)
     for (a = t->speedqadr[i]; a < t->speedqadr[i] + t->speedqnum[i]; ++a)
-      yes = yes || (qi == t->speedq[a] && open_chain_moves(t, qj, t->pointbody[t->speedpoint[i]]));
+      yes = yes || (qi == t->speedq[a] &&
+                    (open_chain_moves(t, qj, t->pointbody[t->speedpoint[i]]) ||
+                     (t->speeddriver[i] >= 0 &&
+                      open_chain_moves(t, qj, t->pointbody[t->driverpoint[t->speeddriver[i]]]))));
   return yes;
 }
 
