@@ -273,6 +273,47 @@ static void functions_call_b_d(const maggi_topo *t, double *x[], double *xd[], d
                       (void *)xd[3], (void *)xb[3], (void *)xbd[3]);
 }
 
+static int size_npath0_8(const maggi_topo *t)
+{
+  return t->npath0 * 8;
+}
+
+static const maggi_head_argument path_constants_arguments[] = {
+    {"p", MAGGI_HEAD_INPUT, size_np},
+    {"path0", MAGGI_HEAD_OUTPUT, size_npath0_8},
+};
+
+static void path_constants_call(const maggi_topo *t, double *x[])
+{
+  maggi_path_constants(t, (void *)x[0], (void *)x[1]);
+}
+
+static void path_constants_call_d(const maggi_topo *t, double *x[], double *xd[])
+{
+  maggi_path_constants_d(t, (void *)x[0], (void *)xd[0], (void *)x[1], (void *)xd[1]);
+}
+
+#ifndef MAGGI_COMPLEX
+static void path_constants_call_dv(const maggi_topo *t, double *x[], double *xd[])
+{
+  maggi_path_constants_dv(t, (void *)x[0], (void *)xd[0], (void *)x[1], (void *)xd[1], MAGGI_NDIR);
+}
+#else
+#define path_constants_call_dv NULL
+#endif
+
+static void path_constants_call_b(const maggi_topo *t, double *x[], double *xb[])
+{
+  maggi_path_constants_b(t, (void *)x[0], (void *)xb[0], (void *)x[1], (void *)xb[1]);
+}
+
+static void path_constants_call_b_d(const maggi_topo *t, double *x[], double *xd[], double *xb[],
+                                    double *xbd[])
+{
+  maggi_path_constants_b_d(t, (void *)x[0], (void *)xd[0], (void *)xb[0], (void *)xbd[0],
+                           (void *)x[1], (void *)xd[1], (void *)xb[1], (void *)xbd[1]);
+}
+
 static int size_nq(const maggi_topo *t)
 {
   return t->nq;
@@ -897,6 +938,11 @@ static void element_forces_call_b_d(const maggi_topo *t, double *x[], double *xd
                            (void *)xd[10], (void *)xb[10], (void *)xbd[10], (void *)x[11]);
 }
 
+static int size_ndriver_4(const maggi_topo *t)
+{
+  return t->ndriver * 4;
+}
+
 static int size_nspeed_3(const maggi_topo *t)
 {
   return t->nspeed * 3;
@@ -905,8 +951,12 @@ static int size_nspeed_3(const maggi_topo *t)
 static const maggi_head_argument control_forces_arguments[] = {
     {"p", MAGGI_HEAD_INPUT, size_np},
     {"fun", MAGGI_HEAD_INPUT, size_nfun_3},
-    {"v", MAGGI_HEAD_PASSIVE, size_nq},
+    {"path0", MAGGI_HEAD_INPUT, size_npath0_8},
+    {"q", MAGGI_HEAD_INPUT, size_nq},
+    {"v", MAGGI_HEAD_INPUT, size_nq},
+    {"r", MAGGI_HEAD_INPUT, size_npoint_3},
     {"rv", MAGGI_HEAD_INPUT, size_npoint_3},
+    {"driver", MAGGI_HEAD_OUTPUT, size_ndriver_4},
     {"speed", MAGGI_HEAD_OUTPUT, size_nspeed_3},
     {"tau", MAGGI_HEAD_BOTH, size_nq},
     {"power", MAGGI_HEAD_PASSIVE, size_1},
@@ -915,22 +965,27 @@ static const maggi_head_argument control_forces_arguments[] = {
 static void control_forces_call(const maggi_topo *t, double *x[])
 {
   maggi_control_forces(t, (void *)x[0], (void *)x[1], (void *)x[2], (void *)x[3], (void *)x[4],
-                       (void *)x[5], (void *)x[6]);
+                       (void *)x[5], (void *)x[6], (void *)x[7], (void *)x[8], (void *)x[9],
+                       (void *)x[10]);
 }
 
 static void control_forces_call_d(const maggi_topo *t, double *x[], double *xd[])
 {
   maggi_control_forces_d(t, (void *)x[0], (void *)xd[0], (void *)x[1], (void *)xd[1], (void *)x[2],
-                         (void *)x[3], (void *)xd[3], (void *)x[4], (void *)xd[4], (void *)x[5],
-                         (void *)xd[5], (void *)x[6]);
+                         (void *)xd[2], (void *)x[3], (void *)xd[3], (void *)x[4], (void *)xd[4],
+                         (void *)x[5], (void *)xd[5], (void *)x[6], (void *)xd[6], (void *)x[7],
+                         (void *)xd[7], (void *)x[8], (void *)xd[8], (void *)x[9], (void *)xd[9],
+                         (void *)x[10]);
 }
 
 #ifndef MAGGI_COMPLEX
 static void control_forces_call_dv(const maggi_topo *t, double *x[], double *xd[])
 {
   maggi_control_forces_dv(t, (void *)x[0], (void *)xd[0], (void *)x[1], (void *)xd[1], (void *)x[2],
-                          (void *)x[3], (void *)xd[3], (void *)x[4], (void *)xd[4], (void *)x[5],
-                          (void *)xd[5], (void *)x[6], MAGGI_NDIR);
+                          (void *)xd[2], (void *)x[3], (void *)xd[3], (void *)x[4], (void *)xd[4],
+                          (void *)x[5], (void *)xd[5], (void *)x[6], (void *)xd[6], (void *)x[7],
+                          (void *)xd[7], (void *)x[8], (void *)xd[8], (void *)x[9], (void *)xd[9],
+                          (void *)x[10], MAGGI_NDIR);
 }
 #else
 #define control_forces_call_dv NULL
@@ -939,8 +994,10 @@ static void control_forces_call_dv(const maggi_topo *t, double *x[], double *xd[
 static void control_forces_call_b(const maggi_topo *t, double *x[], double *xb[])
 {
   maggi_control_forces_b(t, (void *)x[0], (void *)xb[0], (void *)x[1], (void *)xb[1], (void *)x[2],
-                         (void *)x[3], (void *)xb[3], (void *)x[4], (void *)xb[4], (void *)x[5],
-                         (void *)xb[5], (void *)x[6]);
+                         (void *)xb[2], (void *)x[3], (void *)xb[3], (void *)x[4], (void *)xb[4],
+                         (void *)x[5], (void *)xb[5], (void *)x[6], (void *)xb[6], (void *)x[7],
+                         (void *)xb[7], (void *)x[8], (void *)xb[8], (void *)x[9], (void *)xb[9],
+                         (void *)x[10]);
 }
 
 static void control_forces_call_b_d(const maggi_topo *t, double *x[], double *xd[], double *xb[],
@@ -948,9 +1005,14 @@ static void control_forces_call_b_d(const maggi_topo *t, double *x[], double *xd
 {
   maggi_control_forces_b_d(t, (void *)x[0], (void *)xd[0], (void *)xb[0], (void *)xbd[0],
                            (void *)x[1], (void *)xd[1], (void *)xb[1], (void *)xbd[1], (void *)x[2],
-                           (void *)x[3], (void *)xd[3], (void *)xb[3], (void *)xbd[3], (void *)x[4],
+                           (void *)xd[2], (void *)xb[2], (void *)xbd[2], (void *)x[3],
+                           (void *)xd[3], (void *)xb[3], (void *)xbd[3], (void *)x[4],
                            (void *)xd[4], (void *)xb[4], (void *)xbd[4], (void *)x[5],
-                           (void *)xd[5], (void *)xb[5], (void *)xbd[5], (void *)x[6]);
+                           (void *)xd[5], (void *)xb[5], (void *)xbd[5], (void *)x[6],
+                           (void *)xd[6], (void *)xb[6], (void *)xbd[6], (void *)x[7],
+                           (void *)xd[7], (void *)xb[7], (void *)xbd[7], (void *)x[8],
+                           (void *)xd[8], (void *)xb[8], (void *)xbd[8], (void *)x[9],
+                           (void *)xd[9], (void *)xb[9], (void *)xbd[9], (void *)x[10]);
 }
 
 static int size_ntyre_5(const maggi_topo *t)
@@ -1376,6 +1438,8 @@ static const maggi_head_argument sensors_arguments[] = {
     {"rv", MAGGI_HEAD_INPUT, size_npoint_3},
     {"Za", MAGGI_HEAD_INPUT, size_nbody_1_6},
     {"ra", MAGGI_HEAD_INPUT, size_npoint_3},
+    {"driver", MAGGI_HEAD_INPUT, size_ndriver_4},
+    {"speed", MAGGI_HEAD_INPUT, size_nspeed_3},
     {"lambda", MAGGI_HEAD_INPUT, size_nrow},
     {"s", MAGGI_HEAD_OUTPUT, size_nsensor_3},
 };
@@ -1384,7 +1448,7 @@ static void sensors_call(const maggi_topo *t, double *x[])
 {
   maggi_sensors(t, (void *)x[0], (void *)x[1], (void *)x[2], (void *)x[3], (void *)x[4],
                 (void *)x[5], (void *)x[6], (void *)x[7], (void *)x[8], (void *)x[9], (void *)x[10],
-                (void *)x[11], (void *)x[12], (void *)x[13]);
+                (void *)x[11], (void *)x[12], (void *)x[13], (void *)x[14], (void *)x[15]);
 }
 
 static void sensors_call_d(const maggi_topo *t, double *x[], double *xd[])
@@ -1394,7 +1458,8 @@ static void sensors_call_d(const maggi_topo *t, double *x[], double *xd[])
                   (void *)xd[5], (void *)x[6], (void *)xd[6], (void *)x[7], (void *)xd[7],
                   (void *)x[8], (void *)xd[8], (void *)x[9], (void *)xd[9], (void *)x[10],
                   (void *)xd[10], (void *)x[11], (void *)xd[11], (void *)x[12], (void *)xd[12],
-                  (void *)x[13], (void *)xd[13]);
+                  (void *)x[13], (void *)xd[13], (void *)x[14], (void *)xd[14], (void *)x[15],
+                  (void *)xd[15]);
 }
 
 #ifndef MAGGI_COMPLEX
@@ -1405,7 +1470,8 @@ static void sensors_call_dv(const maggi_topo *t, double *x[], double *xd[])
                    (void *)xd[5], (void *)x[6], (void *)xd[6], (void *)x[7], (void *)xd[7],
                    (void *)x[8], (void *)xd[8], (void *)x[9], (void *)xd[9], (void *)x[10],
                    (void *)xd[10], (void *)x[11], (void *)xd[11], (void *)x[12], (void *)xd[12],
-                   (void *)x[13], (void *)xd[13], MAGGI_NDIR);
+                   (void *)x[13], (void *)xd[13], (void *)x[14], (void *)xd[14], (void *)x[15],
+                   (void *)xd[15], MAGGI_NDIR);
 }
 #else
 #define sensors_call_dv NULL
@@ -1418,7 +1484,8 @@ static void sensors_call_b(const maggi_topo *t, double *x[], double *xb[])
                   (void *)xb[5], (void *)x[6], (void *)xb[6], (void *)x[7], (void *)xb[7],
                   (void *)x[8], (void *)xb[8], (void *)x[9], (void *)xb[9], (void *)x[10],
                   (void *)xb[10], (void *)x[11], (void *)xb[11], (void *)x[12], (void *)xb[12],
-                  (void *)x[13], (void *)xb[13]);
+                  (void *)x[13], (void *)xb[13], (void *)x[14], (void *)xb[14], (void *)x[15],
+                  (void *)xb[15]);
 }
 
 static void sensors_call_b_d(const maggi_topo *t, double *x[], double *xd[], double *xb[],
@@ -1434,7 +1501,9 @@ static void sensors_call_b_d(const maggi_topo *t, double *x[], double *xd[], dou
                     (void *)xb[9], (void *)xbd[9], (void *)x[10], (void *)xd[10], (void *)xb[10],
                     (void *)xbd[10], (void *)x[11], (void *)xd[11], (void *)xb[11], (void *)xbd[11],
                     (void *)x[12], (void *)xd[12], (void *)xb[12], (void *)xbd[12], (void *)x[13],
-                    (void *)xd[13], (void *)xb[13], (void *)xbd[13]);
+                    (void *)xd[13], (void *)xb[13], (void *)xbd[13], (void *)x[14], (void *)xd[14],
+                    (void *)xb[14], (void *)xbd[14], (void *)x[15], (void *)xd[15], (void *)xb[15],
+                    (void *)xbd[15]);
 }
 
 static int size_nstate(const maggi_topo *t)
@@ -1652,6 +1721,8 @@ const maggi_head maggi_heads[] = {
       spline_constants_call_b_d},
   {"maggi_functions", 4, functions_arguments, functions_call, functions_call_d, functions_call_dv,
       functions_call_b, functions_call_b_d},
+  {"maggi_path_constants", 2, path_constants_arguments, path_constants_call, path_constants_call_d,
+      path_constants_call_dv, path_constants_call_b, path_constants_call_b_d},
   {"maggi_positions", 7, positions_arguments, positions_call, positions_call_d, positions_call_dv,
       positions_call_b, positions_call_b_d},
   {"maggi_points", 4, points_arguments, points_call, points_call_d, points_call_dv, points_call_b,
@@ -1678,7 +1749,7 @@ const maggi_head maggi_heads[] = {
       loop_gamma_call_dv, loop_gamma_call_b, loop_gamma_call_b_d},
   {"maggi_element_forces", 12, element_forces_arguments, element_forces_call, element_forces_call_d,
       element_forces_call_dv, element_forces_call_b, element_forces_call_b_d},
-  {"maggi_control_forces", 7, control_forces_arguments, control_forces_call, control_forces_call_d,
+  {"maggi_control_forces", 11, control_forces_arguments, control_forces_call, control_forces_call_d,
       control_forces_call_dv, control_forces_call_b, control_forces_call_b_d},
   {"maggi_tyres", 3, tyres_arguments, tyres_call, tyres_call_d, tyres_call_dv, tyres_call_b,
       tyres_call_b_d},
@@ -1699,7 +1770,7 @@ const maggi_head maggi_heads[] = {
       rolling_call_b, rolling_call_b_d},
   {"maggi_reactions", 3, reactions_arguments, reactions_call, reactions_call_d, reactions_call_dv,
       reactions_call_b, reactions_call_b_d},
-  {"maggi_sensors", 14, sensors_arguments, sensors_call, sensors_call_d, sensors_call_dv,
+  {"maggi_sensors", 16, sensors_arguments, sensors_call, sensors_call_d, sensors_call_dv,
       sensors_call_b, sensors_call_b_d},
   {"maggi_filter_rates", 4, filter_rates_arguments, filter_rates_call, filter_rates_call_d,
       filter_rates_call_dv, filter_rates_call_b, filter_rates_call_b_d},
@@ -1712,4 +1783,4 @@ const maggi_head maggi_heads[] = {
       potential_energy_call_b_d},
 };
 
-const int maggi_nhead = 32;
+const int maggi_nhead = 33;

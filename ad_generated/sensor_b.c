@@ -15,7 +15,10 @@ void maggi_sensors_b(const maggi_topo *t, const double p[restrict t->np], double
                      double Zb[restrict t->nbody + 1][6], const double rv[restrict t->npoint][3],
                      double rvb[restrict t->npoint][3], const double Za[restrict t->nbody + 1][6],
                      double Zab[restrict t->nbody + 1][6], const double ra[restrict t->npoint][3],
-                     double rab[restrict t->npoint][3], const double lambda[restrict t->nrow],
+                     double rab[restrict t->npoint][3], const double driver[restrict t->ndriver][4],
+                     double driverb[restrict t->ndriver][4],
+                     const double speed[restrict t->nspeed][3],
+                     double speedb[restrict t->nspeed][3], const double lambda[restrict t->nrow],
                      double lambdab[restrict t->nrow], double s[restrict t->nsensor][3],
                      double sb[restrict t->nsensor][3])
 {
@@ -45,7 +48,7 @@ void maggi_sensors_b(const maggi_topo *t, const double p[restrict t->np], double
       rollb, rolling0b, rolling1b, rolling2b, rolling3b, rolling4b, rolling5b, rv_k0, rv_k0_2,
       rv_k0_2b, rv_k0_3, rv_k0_3b, rv_k0b, rv_k1, rv_k1_2, rv_k1_2b, rv_k1_3, rv_k1_3b, rv_k1b,
       rv_k2, rv_k2b, s2, s2b, s3, s3b, s4, s4b, shift, shiftb, shy, shyb, side, slip0b, slip1,
-      slip1b, slip2b, speed, speed2, speed2b, speedb, stiff, stiff2, stiff2b, stiff3, stiff3b,
+      slip1b, slip2b, speed2, speed2b, speed3, speed3b, stiff, stiff2, stiff2b, stiff3, stiff3b,
       stiff4, stiff4b, stiffb, sumb, svx, svxb, svy, svyb, t10, t100, t100b, t101, t101b, t102,
       t102b, t103, t103b, t104, t104b, t105, t105b, t106, t106b, t107, t107b, t108, t108b, t109,
       t109b, t10b, t11, t110, t110b, t111, t111b, t112, t112b, t11b, t12, t12b, t13b, t14, t14b,
@@ -85,6 +88,8 @@ void maggi_sensors_b(const maggi_topo *t, const double p[restrict t->np], double
   (void)origin;
   (void)x;
   (void)Za;
+  (void)driver;
+  (void)speed;
   (void)lambda;
   A_j0 = 0.0;
   A_j0_2 = 0.0;
@@ -193,7 +198,7 @@ void maggi_sensors_b(const maggi_topo *t, const double p[restrict t->np], double
   s2 = 0.0;
   side = 0.0;
   slip1 = 0.0;
-  speed = 0.0;
+  speed2 = 0.0;
   t14 = 0.0;
   t17 = 0.0;
   t19 = 0.0;
@@ -366,127 +371,131 @@ void maggi_sensors_b(const maggi_topo *t, const double p[restrict t->np], double
                       l2 = sqrt(t22);
                       z1_3 = s[i][1];
                     } else {
-                      a4_3 = t->wheelpoint[n2];
-                      b2_2 = t->wheelroad[n2];
-                      j = t->wheelbody[n2];
-                      k = t->wheelcarrier[n2];
-                      side = t->wheelmirror[n2] ? -1.0 : 1.0;
-                      a00 = p[t->wheelaxis[n2]];
-                      a01 = p[t->wheelaxis[n2] + 1];
-                      a02 = p[t->wheelaxis[n2] + 2];
-                      ua0 = A[j][0] * a00 + A[j][1] * a01 + A[j][2] * a02;
-                      ua1 = A[j][3] * a00 + A[j][4] * a01 + A[j][5] * a02;
-                      ua2 = A[j][6] * a00 + A[j][7] * a01 + A[j][8] * a02;
-                      t23 = ua0 * ua0 + ua1 * ua1 + ua2 * ua2;
-                      n5 = sqrt(t23);
-                      u30 = ua0 / n5;
-                      u31 = ua1 / n5;
-                      u32 = ua2 / n5;
-                      g20 = r[a4_3][0] - r[t->roadpoint[b2_2]][0];
-                      g22 = r[a4_3][2] - r[t->roadpoint[b2_2]][2];
-                      x4 = g20;
-                      if (t->roadkind[b2_2] == MAGGI_ROAD_FLAT) {
-                        p_b2 = p[t->roadadr[b2_2]];
-                        h00 = p_b2 * x4;
-                      } else {
-                        p_b2_2 = p[t->roadadr[b2_2] + 1];
-                        t24 = 6.28318530717958647693 * x4 / p_b2_2;
-                        t25 = sin(t24);
-                        p_b2_3 = p[t->roadadr[b2_2]];
-                        h00 = p_b2_3 * t25;
+                      if (t->sensorkind[i] != MAGGI_SENSOR_SPEED) {
+                        if (t->sensorkind[i] != MAGGI_SENSOR_DRIVER) {
+                          a4_3 = t->wheelpoint[n2];
+                          b2_2 = t->wheelroad[n2];
+                          j = t->wheelbody[n2];
+                          k = t->wheelcarrier[n2];
+                          side = t->wheelmirror[n2] ? -1.0 : 1.0;
+                          a00 = p[t->wheelaxis[n2]];
+                          a01 = p[t->wheelaxis[n2] + 1];
+                          a02 = p[t->wheelaxis[n2] + 2];
+                          ua0 = A[j][0] * a00 + A[j][1] * a01 + A[j][2] * a02;
+                          ua1 = A[j][3] * a00 + A[j][4] * a01 + A[j][5] * a02;
+                          ua2 = A[j][6] * a00 + A[j][7] * a01 + A[j][8] * a02;
+                          t23 = ua0 * ua0 + ua1 * ua1 + ua2 * ua2;
+                          n5 = sqrt(t23);
+                          u30 = ua0 / n5;
+                          u31 = ua1 / n5;
+                          u32 = ua2 / n5;
+                          g20 = r[a4_3][0] - r[t->roadpoint[b2_2]][0];
+                          g22 = r[a4_3][2] - r[t->roadpoint[b2_2]][2];
+                          x4 = g20;
+                          if (t->roadkind[b2_2] == MAGGI_ROAD_FLAT) {
+                            p_b2 = p[t->roadadr[b2_2]];
+                            h00 = p_b2 * x4;
+                          } else {
+                            p_b2_2 = p[t->roadadr[b2_2] + 1];
+                            t24 = 6.28318530717958647693 * x4 / p_b2_2;
+                            t25 = sin(t24);
+                            p_b2_3 = p[t->roadadr[b2_2]];
+                            h00 = p_b2_3 * t25;
+                          }
+                          t26 = u30 * u30 + u31 * u31;
+                          t27 = u32 * u30 / t26;
+                          x3 = g20 + t27 * (g22 - h00);
+                          if (t->roadkind[b2_2] == MAGGI_ROAD_FLAT) {
+                            p_b2_4 = p[t->roadadr[b2_2]];
+                            h10 = p_b2_4 * x3;
+                            h11 = p_b2_4;
+                          } else {
+                            p_b2_5 = p[t->roadadr[b2_2] + 1];
+                            t28 = 6.28318530717958647693 * x3 / p_b2_5;
+                            t29 = sin(t28);
+                            p_b2_6 = p[t->roadadr[b2_2]];
+                            h10 = p_b2_6 * t29;
+                            t30 = p_b2_6 * 6.28318530717958647693 / p_b2_5;
+                            t31 = 6.28318530717958647693 * x3 / p_b2_5;
+                            t32 = cos(t31);
+                            h11 = t30 * t32;
+                          }
+                          t33 = 1.0 + h11 * h11;
+                          s2 = sqrt(t33);
+                          n60 = -h11 / s2;
+                          n61 = 0.0;
+                          n62 = 1.0 / s2;
+                          c3 = u30 * n60 + u31 * n61 + u32 * n62;
+                          un0 = u31 * n62 - u32 * n61;
+                          un1 = u32 * n60 - u30 * n62;
+                          un2 = u30 * n61 - u31 * n60;
+                          t34 = un0 * un0 + un1 * un1 + un2 * un2;
+                          w2 = sqrt(t34);
+                          r3 = ((g20 - x3) * n60 + (g22 - h10) * n62) / w2;
+                          along0 = un0 / w2;
+                          along1 = un1 / w2;
+                          along2 = un2 / w2;
+                          L0 = n61 * along2 - n62 * along1;
+                          L1 = n62 * along0 - n60 * along2;
+                          L2 = n60 * along1 - n61 * along0;
+                          arm0 = r3 * (c3 * u30 - n60) / w2;
+                          T0 = along0;
+                          N0 = n60;
+                          arm1 = r3 * (c3 * u31 - n61) / w2;
+                          T1 = along1;
+                          N1 = n61;
+                          arm2 = r3 * (c3 * u32 - n62) / w2;
+                          T2 = along2;
+                          N2 = n62;
+                          z20 = r3;
+                          z21 = c3;
+                          z22 = w2;
+                          Z_k3 = Z[k][3];
+                          wr0 = Z_k3;
+                          Z_k4 = Z[k][4];
+                          wr1 = Z_k4;
+                          Z_k5 = Z[k][5];
+                          wr2 = Z_k5;
+                          vr0 = wr1 * arm2 - wr2 * arm1;
+                          vr1 = wr2 * arm0 - wr0 * arm2;
+                          vr2 = wr0 * arm1 - wr1 * arm0;
+                          v20 = rv[a4_3][0] + vr0;
+                          v21 = rv[a4_3][1] + vr1;
+                          v22 = rv[a4_3][2] + vr2;
+                          vx = v20 * T0 + v21 * T1 + v22 * T2;
+                          rhov = -(v20 * N0 + v21 * N1 + v22 * N2) / z22;
+                          omega = (Z[j][3] - Z_k3) * u30 + (Z[j][4] - Z_k4) * u31 + (Z[j][5] - Z_k5)
+                              * u32;
+                          p2 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_VERTICAL_STIFFNESS];
+                          p3 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_UNLOADED_RADIUS];
+                          fz = p2 * (p3 - z20) + p[t->tyreadr[t->wheeltyre[n2]] +
+                              MAGGI_TYRE_VERTICAL_DAMPING] * rhov;
+                          fz0 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LFZO] *
+                              p[t->tyreadr[t->wheeltyre[n2]]];
+                          ratio = fz / fz0;
+                          t35 = fz0 / p2;
+                          t36 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_BREFF] * ratio;
+                          t37 = atan(t36);
+                          re = p3 - t35 * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_DREFF] * t37
+                              + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_FREFF] * ratio);
+                          if (MAGGI_RE(vx) > MAGGI_RE(p[t->tyreadr[t->wheeltyre[n2]] +
+                              MAGGI_TYRE_VXLOW])) {
+                            y = vx;
+                          } else if (MAGGI_RE(vx) < -MAGGI_RE(p[t->tyreadr[t->wheeltyre[n2]] +
+                              MAGGI_TYRE_VXLOW])) {
+                            y = -vx;
+                          } else {
+                            p4 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_VXLOW];
+                            t38 = vx * vx / p4;
+                            y = 0.5 * (p4 + t38);
+                          }
+                          speed2 = y;
+                          kappa = (omega * re - vx) / speed2;
+                          a2 = (v20 * L0 + v21 * L1 + v22 * L2) / speed2;
+                          gamma = atan2(z21, z22);
+                          slip1 = a2;
+                        }
                       }
-                      t26 = u30 * u30 + u31 * u31;
-                      t27 = u32 * u30 / t26;
-                      x3 = g20 + t27 * (g22 - h00);
-                      if (t->roadkind[b2_2] == MAGGI_ROAD_FLAT) {
-                        p_b2_4 = p[t->roadadr[b2_2]];
-                        h10 = p_b2_4 * x3;
-                        h11 = p_b2_4;
-                      } else {
-                        p_b2_5 = p[t->roadadr[b2_2] + 1];
-                        t28 = 6.28318530717958647693 * x3 / p_b2_5;
-                        t29 = sin(t28);
-                        p_b2_6 = p[t->roadadr[b2_2]];
-                        h10 = p_b2_6 * t29;
-                        t30 = p_b2_6 * 6.28318530717958647693 / p_b2_5;
-                        t31 = 6.28318530717958647693 * x3 / p_b2_5;
-                        t32 = cos(t31);
-                        h11 = t30 * t32;
-                      }
-                      t33 = 1.0 + h11 * h11;
-                      s2 = sqrt(t33);
-                      n60 = -h11 / s2;
-                      n61 = 0.0;
-                      n62 = 1.0 / s2;
-                      c3 = u30 * n60 + u31 * n61 + u32 * n62;
-                      un0 = u31 * n62 - u32 * n61;
-                      un1 = u32 * n60 - u30 * n62;
-                      un2 = u30 * n61 - u31 * n60;
-                      t34 = un0 * un0 + un1 * un1 + un2 * un2;
-                      w2 = sqrt(t34);
-                      r3 = ((g20 - x3) * n60 + (g22 - h10) * n62) / w2;
-                      along0 = un0 / w2;
-                      along1 = un1 / w2;
-                      along2 = un2 / w2;
-                      L0 = n61 * along2 - n62 * along1;
-                      L1 = n62 * along0 - n60 * along2;
-                      L2 = n60 * along1 - n61 * along0;
-                      arm0 = r3 * (c3 * u30 - n60) / w2;
-                      T0 = along0;
-                      N0 = n60;
-                      arm1 = r3 * (c3 * u31 - n61) / w2;
-                      T1 = along1;
-                      N1 = n61;
-                      arm2 = r3 * (c3 * u32 - n62) / w2;
-                      T2 = along2;
-                      N2 = n62;
-                      z20 = r3;
-                      z21 = c3;
-                      z22 = w2;
-                      Z_k3 = Z[k][3];
-                      wr0 = Z_k3;
-                      Z_k4 = Z[k][4];
-                      wr1 = Z_k4;
-                      Z_k5 = Z[k][5];
-                      wr2 = Z_k5;
-                      vr0 = wr1 * arm2 - wr2 * arm1;
-                      vr1 = wr2 * arm0 - wr0 * arm2;
-                      vr2 = wr0 * arm1 - wr1 * arm0;
-                      v20 = rv[a4_3][0] + vr0;
-                      v21 = rv[a4_3][1] + vr1;
-                      v22 = rv[a4_3][2] + vr2;
-                      vx = v20 * T0 + v21 * T1 + v22 * T2;
-                      rhov = -(v20 * N0 + v21 * N1 + v22 * N2) / z22;
-                      omega = (Z[j][3] - Z_k3) * u30 + (Z[j][4] - Z_k4) * u31 + (Z[j][5] - Z_k5) *
-                          u32;
-                      p2 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_VERTICAL_STIFFNESS];
-                      p3 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_UNLOADED_RADIUS];
-                      fz = p2 * (p3 - z20) + p[t->tyreadr[t->wheeltyre[n2]] +
-                          MAGGI_TYRE_VERTICAL_DAMPING] * rhov;
-                      fz0 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LFZO] *
-                          p[t->tyreadr[t->wheeltyre[n2]]];
-                      ratio = fz / fz0;
-                      t35 = fz0 / p2;
-                      t36 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_BREFF] * ratio;
-                      t37 = atan(t36);
-                      re = p3 - t35 * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_DREFF] * t37 +
-                          p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_FREFF] * ratio);
-                      if (MAGGI_RE(vx) > MAGGI_RE(p[t->tyreadr[t->wheeltyre[n2]] +
-                          MAGGI_TYRE_VXLOW])) {
-                        y = vx;
-                      } else if (MAGGI_RE(vx) < -MAGGI_RE(p[t->tyreadr[t->wheeltyre[n2]] +
-                          MAGGI_TYRE_VXLOW])) {
-                        y = -vx;
-                      } else {
-                        p4 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_VXLOW];
-                        t38 = vx * vx / p4;
-                        y = 0.5 * (p4 + t38);
-                      }
-                      speed = y;
-                      kappa = (omega * re - vx) / speed;
-                      a2 = (v20 * L0 + v21 * L1 + v22 * L2) / speed;
-                      gamma = atan2(z21, z22);
-                      slip1 = a2;
                     }
                   }
                 }
@@ -612,7 +621,7 @@ void maggi_sensors_b(const maggi_topo *t, const double p[restrict t->np], double
     slip0b = 0.0;
     slip1b = 0.0;
     slip2b = 0.0;
-    speedb = 0.0;
+    speed2b = 0.0;
     sumb = 0.0;
     t10b = 0.0;
     t13b = 0.0;
@@ -1210,6 +1219,20 @@ void maggi_sensors_b(const maggi_topo *t, const double p[restrict t->np], double
       /* distance of two points and its rate */
       rb[a4_2][0] += e20b;
       rb[b2][0] -= e20b;
+    } else if (t->sensorkind[i] == MAGGI_SENSOR_SPEED) {
+      speedb[n2][2] += sb[i][2];
+      sb[i][2] = 0.0;
+      speedb[n2][1] += sb[i][1];
+      sb[i][1] = 0.0;
+      speedb[n2][0] += sb[i][0];
+      sb[i][0] = 0.0;
+    } else if (t->sensorkind[i] == MAGGI_SENSOR_DRIVER) {
+      driverb[n2][2] += sb[i][2];
+      sb[i][2] = 0.0;
+      driverb[n2][1] += sb[i][1];
+      sb[i][1] = 0.0;
+      driverb[n2][0] += sb[i][0];
+      sb[i][0] = 0.0;
     } else {
       if (t->sensorkind[i] == MAGGI_SENSOR_TYRE_SLIP) {
         slip2b += sb[i][2];
@@ -1534,7 +1557,7 @@ void maggi_sensors_b(const maggi_topo *t, const double p[restrict t->np], double
               MAGGI_TYRE_LS];
           t110 = one4 / p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LOW_SPEED];
           way = tanh(t110);
-          speed2 = one4 / p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LONGVL];
+          speed3 = one4 / p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LONGVL];
           t111 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSX3] * fy / fz0_2;
           t112 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY2] * fx / fz0_2;
           force5b = rolling5b * side;
@@ -1558,9 +1581,9 @@ void maggi_sensors_b(const maggi_topo *t, const double p[restrict t->np], double
           fxb = force5b * s3;
           tb182 = force4b * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMY];
           tb183 = tb182 * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY1] + t112 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * way * speed2 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2 * speed2 * speed2 *
-              speed2);
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * way * speed3 +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed3 * speed3 * speed3 *
+              speed3);
           tb184 = tb183 * fz2;
           wayb = -(tb184 * r0);
           r0b = -(tb184 * way);
@@ -1568,24 +1591,24 @@ void maggi_sensors_b(const maggi_topo *t, const double p[restrict t->np], double
           tb185 = tb182 * (-way * r0 * fz2);
           pb[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY1] += tb185;
           t112b = tb185;
-          tb186 = tb185 * speed2;
+          tb186 = tb185 * speed3;
           pb[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] += tb186 * way;
           wayb += tb186 * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3];
-          speed2b = tb185 * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * way);
-          tb187 = tb185 * speed2;
-          tb188 = tb187 * speed2;
-          tb189 = tb188 * speed2;
-          pb[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] += tb189 * speed2;
-          speed2b += tb189 * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4];
-          speed2b += tb188 * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2);
-          speed2b += tb187 * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2 * speed2);
-          speed2b += tb185 * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2 * speed2 *
-              speed2);
+          speed3b = tb185 * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * way);
+          tb187 = tb185 * speed3;
+          tb188 = tb187 * speed3;
+          tb189 = tb188 * speed3;
+          pb[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] += tb189 * speed3;
+          speed3b += tb189 * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4];
+          speed3b += tb188 * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed3);
+          speed3b += tb187 * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed3 * speed3);
+          speed3b += tb185 * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed3 * speed3 *
+              speed3);
           pb[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMY] += force4b * (-way * r0 * fz2 *
               (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY1] + t112 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * way * speed2 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2 * speed2 * speed2 *
-              speed2));
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * way * speed3 +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed3 * speed3 * speed3 *
+              speed3));
           tb181 = t112b / fz0_2;
           pb[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY2] += tb181 * fx;
           fxb += tb181 * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY2];
@@ -1613,9 +1636,9 @@ void maggi_sensors_b(const maggi_topo *t, const double p[restrict t->np], double
           fz2b += force2b;
           fyb += force1b;
           fxb += force0b;
-          tb176 = speed2b / p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LONGVL];
+          tb176 = speed3b / p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LONGVL];
           one4b += tb176;
-          pb[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LONGVL] -= tb176 * speed2;
+          pb[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LONGVL] -= tb176 * speed3;
           t110b = wayb * (1.0 - way * way);
           tb175 = t110b / p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LOW_SPEED];
           one4b += tb175;
@@ -2366,20 +2389,20 @@ void maggi_sensors_b(const maggi_topo *t, const double p[restrict t->np], double
       }
       z21b += gammab * (z22 / (z22 * z22 + z21 * z21));
       z22b -= gammab * (z21 / (z22 * z22 + z21 * z21));
-      tb85 = a2b / speed;
+      tb85 = a2b / speed2;
       v20b += tb85 * L0;
       L0b += tb85 * v20;
       v21b += tb85 * L1;
       L1b += tb85 * v21;
       v22b += tb85 * L2;
       L2b += tb85 * v22;
-      speedb -= tb85 * a2;
-      tb84 = kappab / speed;
+      speed2b -= tb85 * a2;
+      tb84 = kappab / speed2;
       omegab += tb84 * re;
       reb += tb84 * omega;
       vxb -= tb84;
-      speedb -= tb84 * kappa;
-      yb += speedb;
+      speed2b -= tb84 * kappa;
+      yb += speed2b;
       /* |v|; less than low gives way to (low + v^2 / low) / 2, which is not 0 at rest */
       if (MAGGI_RE(vx) > MAGGI_RE(p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_VXLOW])) {
         vxb += yb;

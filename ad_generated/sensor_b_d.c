@@ -33,7 +33,15 @@ void maggi_sensors_b_d(const maggi_topo *t, const double p[restrict t->np],
                        double Zab[restrict t->nbody + 1][6], double Zabd[restrict t->nbody + 1][6],
                        const double ra[restrict t->npoint][3],
                        const double rad[restrict t->npoint][3], double rab[restrict t->npoint][3],
-                       double rabd[restrict t->npoint][3], const double lambda[restrict t->nrow],
+                       double rabd[restrict t->npoint][3],
+                       const double driver[restrict t->ndriver][4],
+                       const double driverd[restrict t->ndriver][4],
+                       double driverb[restrict t->ndriver][4],
+                       double driverbd[restrict t->ndriver][4],
+                       const double speed[restrict t->nspeed][3],
+                       const double speedd[restrict t->nspeed][3],
+                       double speedb[restrict t->nspeed][3], double speedbd[restrict t->nspeed][3],
+                       const double lambda[restrict t->nrow],
                        const double lambdad[restrict t->nrow], double lambdab[restrict t->nrow],
                        double lambdabd[restrict t->nrow], double s[restrict t->nsensor][3],
                        double sd[restrict t->nsensor][3], double sb[restrict t->nsensor][3],
@@ -94,91 +102,95 @@ void maggi_sensors_b_d(const maggi_topo *t, const double p[restrict t->np],
       rv_k1_2d, rv_k1_3, rv_k1_3b, rv_k1_3bd, rv_k1_3d, rv_k1b, rv_k1bd, rv_k1d, rv_k2, rv_k2b,
       rv_k2bd, rv_k2d, s2, s2b, s2bd, s2d, s3, s3b, s3bd, s3d, s4, s4b, s4bd, s4d, shift, shiftb,
       shiftbd, shiftd, shy, shyb, shybd, shyd, side, slip0b, slip0bd, slip1, slip1b, slip1bd,
-      slip1d, slip2b, slip2bd, speed, speed2, speed2b, speed2bd, speed2d, speedb, speedbd, speedd,
-      stiff, stiff2, stiff2b, stiff2bd, stiff2d, stiff3, stiff3b, stiff3bd, stiff3d, stiff4,
-      stiff4b, stiff4bd, stiff4d, stiffb, stiffbd, stiffd, sumb, sumbd, svx, svxb, svxbd, svxd, svy,
-      svyb, svybd, svyd, t10, t100, t100b, t100bd, t100d, t101, t101b, t101bd, t101d, t102, t102b,
-      t102bd, t102d, t103, t103b, t103bd, t103d, t104, t104b, t104bd, t104d, t105, t105b, t105bd,
-      t105d, t106, t106b, t106bd, t106d, t107, t107b, t107bd, t107d, t108, t108b, t108bd, t108d,
-      t109, t109b, t109bd, t109d, t10b, t10bd, t10d, t11, t110, t110b, t110bd, t110d, t111, t111b,
-      t111bd, t111d, t112, t112b, t112bd, t112d, t11b, t11bd, t11d, t12, t12b, t12bd, t12d, t13b,
-      t13bd, t14, t14b, t14bd, t14d, t15, t15b, t15bd, t15d, t16, t16b, t16bd, t16d, t17, t17b,
-      t17bd, t17d, t18, t18b, t18bd, t18d, t19, t19b, t19bd, t19d, t2, t20, t20b, t20bd, t20d, t21,
-      t21b, t21bd, t21d, t22, t22b, t22bd, t22d, t23, t23b, t23bd, t23d, t24, t24b, t24bd, t24d,
-      t25, t25b, t25bd, t25d, t26, t26b, t26bd, t26d, t27, t27b, t27bd, t27d, t28, t28b, t28bd,
-      t28d, t29, t29b, t29bd, t29d, t2b, t2bd, t2d, t3, t30, t30b, t30bd, t30d, t31, t31b, t31bd,
-      t31d, t32, t32b, t32bd, t32d, t33, t33b, t33bd, t33d, t34, t34b, t34bd, t34d, t35, t35b,
-      t35bd, t35d, t36, t36b, t36bd, t36d, t37, t37b, t37bd, t37d, t38, t38b, t38bd, t38d, t39,
-      t39b, t39bd, t39d, t3b, t3bd, t3d, t4, t40, t40b, t40bd, t40d, t41, t41b, t41bd, t41d, t42,
-      t42b, t42bd, t42d, t43, t43b, t43bd, t43d, t44, t44b, t44bd, t44d, t45, t45b, t45bd, t45d,
-      t46, t46b, t46bd, t46d, t47, t47b, t47bd, t47d, t48, t48b, t48bd, t48d, t49, t49b, t49bd,
-      t49d, t4b, t4bd, t4d, t5, t50, t50b, t50bd, t50d, t51, t51b, t51bd, t51d, t52, t52b, t52bd,
-      t52d, t53, t53b, t53bd, t53d, t54, t54b, t54bd, t54d, t55, t55b, t55bd, t55d, t56, t56b,
-      t56bd, t56d, t57, t57b, t57bd, t57d, t58, t58b, t58bd, t58d, t59, t59b, t59bd, t59d, t5b,
-      t5bd, t5d, t6, t60, t60b, t60bd, t60d, t61, t61b, t61bd, t61d, t62, t62b, t62bd, t62d, t63,
-      t63b, t63bd, t63d, t64, t64b, t64bd, t64d, t65, t65b, t65bd, t65d, t66, t66b, t66bd, t66d,
-      t67, t67b, t67bd, t67d, t68, t68b, t68bd, t68d, t69, t69b, t69bd, t69d, t6b, t6bd, t6d, t7,
-      t70, t70b, t70bd, t70d, t71, t71b, t71bd, t71d, t72, t72b, t72bd, t72d, t73, t73b, t73bd,
-      t73d, t74, t74b, t74bd, t74d, t75, t75b, t75bd, t75d, t76, t76b, t76bd, t76d, t77, t77b,
-      t77bd, t77d, t78, t78b, t78bd, t78d, t79, t79b, t79bd, t79d, t7b, t7bd, t7d, t8, t80, t80b,
-      t80bd, t80d, t81, t81b, t81bd, t81d, t82, t82b, t82bd, t82d, t83, t83b, t83bd, t83d, t84,
-      t84b, t84bd, t84d, t85, t85b, t85bd, t85d, t86, t86b, t86bd, t86d, t87, t87b, t87bd, t87d,
-      t88, t88b, t88bd, t88d, t89, t89b, t89bd, t89d, t8b, t8bd, t8d, t9, t90, t90b, t90bd, t90d,
-      t91, t91b, t91bd, t91d, t92, t92b, t92bd, t92d, t93, t93b, t93bd, t93d, t94, t94b, t94bd,
-      t94d, t95, t95b, t95bd, t95d, t96, t96b, t96bd, t96d, t97, t97b, t97bd, t97d, t98, t98b,
-      t98bd, t98d, t99, t99b, t99bd, t99d, t9b, t9bd, t9d, tb10, tb100, tb100d, tb101, tb101d,
-      tb102, tb102d, tb103, tb103d, tb104, tb104d, tb105, tb105d, tb106, tb106d, tb107, tb107d,
-      tb108, tb108d, tb109, tb109d, tb10d, tb11, tb110, tb110d, tb111, tb111d, tb112, tb112d, tb113,
-      tb113d, tb114, tb114d, tb115, tb115d, tb116, tb116d, tb117, tb117d, tb118, tb118d, tb119,
-      tb119d, tb11d, tb12, tb120, tb120d, tb121, tb121d, tb122, tb122d, tb123, tb123d, tb124,
-      tb124d, tb125, tb125d, tb126, tb126d, tb127, tb127d, tb128, tb128d, tb129, tb129d, tb12d,
-      tb13, tb130, tb130d, tb131, tb131d, tb132, tb132d, tb133, tb133d, tb134, tb134d, tb135,
-      tb135d, tb136, tb136d, tb137, tb137d, tb138, tb138d, tb139, tb139d, tb13d, tb14, tb140,
-      tb140d, tb141, tb141d, tb142, tb142d, tb143, tb143d, tb144, tb144d, tb145, tb145d, tb146,
-      tb146d, tb147, tb147d, tb148, tb148d, tb149, tb149d, tb14d, tb15, tb150, tb150d, tb151,
-      tb151d, tb152, tb152d, tb153, tb153d, tb154, tb154d, tb155, tb155d, tb156, tb156d, tb157,
-      tb157d, tb158, tb158d, tb159, tb159d, tb15d, tb16, tb160, tb160d, tb161, tb161d, tb162,
-      tb162d, tb163, tb163d, tb164, tb164d, tb165, tb165d, tb166, tb166d, tb167, tb167d, tb168,
-      tb168d, tb169, tb169d, tb16d, tb17, tb170, tb170d, tb171, tb171d, tb172, tb172d, tb173,
-      tb173d, tb174, tb174d, tb175, tb175d, tb176, tb176d, tb177, tb177d, tb178, tb178d, tb179,
-      tb179d, tb17d, tb18, tb180, tb180d, tb181, tb181d, tb182, tb182d, tb183, tb183d, tb184,
-      tb184d, tb185, tb185d, tb186, tb186d, tb187, tb187d, tb188, tb188d, tb189, tb189d, tb18d,
-      tb19, tb190, tb190d, tb191, tb191d, tb19d, tb2, tb20, tb20d, tb21, tb21d, tb22, tb22d, tb23,
-      tb23d, tb24, tb24d, tb25, tb25d, tb26, tb26d, tb27, tb27d, tb28, tb28d, tb29, tb29d, tb2d,
-      tb3, tb30, tb30d, tb31, tb31d, tb32, tb32d, tb33, tb33d, tb34, tb34d, tb35, tb35d, tb36,
-      tb36d, tb37, tb37d, tb38, tb38d, tb39, tb39d, tb3d, tb4, tb40, tb40d, tb41, tb41d, tb42,
-      tb42d, tb43, tb43d, tb44, tb44d, tb45, tb45d, tb46, tb46d, tb47, tb47d, tb48, tb48d, tb49,
-      tb49d, tb4d, tb5, tb50, tb50d, tb51, tb51d, tb52, tb52d, tb53, tb53d, tb54, tb54d, tb55,
-      tb55d, tb56, tb56d, tb57, tb57d, tb58, tb58d, tb59, tb59d, tb5d, tb6, tb60, tb60d, tb61,
-      tb61d, tb62, tb62d, tb63, tb63d, tb64, tb64d, tb65, tb65d, tb66, tb66d, tb67, tb67d, tb68,
-      tb68d, tb69, tb69d, tb6d, tb7, tb70, tb70d, tb71, tb71d, tb72, tb72d, tb73, tb73d, tb74,
-      tb74d, tb75, tb75d, tb76, tb76d, tb77, tb77d, tb78, tb78d, tb79, tb79d, tb7d, tb8, tb80,
-      tb80d, tb81, tb81d, tb82, tb82d, tb83, tb83d, tb84, tb84d, tb85, tb85d, tb86, tb86d, tb87,
-      tb87d, tb88, tb88d, tb89, tb89d, tb8d, tb9, tb90, tb90d, tb91, tb91d, tb92, tb92d, tb93,
-      tb93d, tb94, tb94d, tb95, tb95d, tb96, tb96d, tb97, tb97d, tb98, tb98d, tb99, tb99d, tb9d,
-      torque0b, torque0bd, u20, u20b, u20bd, u20d, u21, u21b, u21bd, u21d, u30, u30b, u30bd, u30d,
-      u31, u31b, u31bd, u31d, u32, u32b, u32bd, u32d, ua0, ua0b, ua0bd, ua0d, ua1, ua1b, ua1bd,
-      ua1d, ua2, ua2b, ua2bd, ua2d, un0, un0b, un0bd, un0d, un1, un1b, un1bd, un1d, un2, un2b,
-      un2bd, un2d, v20, v20b, v20bd, v20d, v21, v21b, v21bd, v21d, v22, v22b, v22bd, v22d, vr0,
-      vr0b, vr0bd, vr0d, vr1, vr1b, vr1bd, vr1d, vr2, vr2b, vr2bd, vr2d, vx, vxb, vxbd, vxd, w, w2,
-      w2b, w2bd, w2d, way, wayb, waybd, wayd, wb, wbd, wd, wr0, wr0b, wr0bd, wr0d, wr1, wr1b, wr1bd,
-      wr1d, wr2, wr2b, wr2bd, wr2d, x2, x2b, x2bd, x2d, x3, x3b, x3bd, x3d, x4, x4b, x4bd, x4d, x50,
-      x50b, x50bd, x50d, x51, x51b, x51bd, x51d, x6, x6b, x6bd, x6d, x7, x7b, x7bd, x7d, x8, x8b,
-      x8bd, x8d, x9, x9b, x9bd, x9d, xv, xvb, xvbd, xvd, y, y10, y10b, y10bd, y10d, y11, y11b,
-      y11bd, y11d, y12, y12b, y12bd, y12d, y13, y13b, y13bd, y13d, y14, y14b, y14bd, y14d, y15,
-      y15b, y15bd, y15d, y16, y16b, y16bd, y16d, y17, y17b, y17bd, y17d, y18, y18b, y18bd, y18d,
-      y20, y20b, y20bd, y20d, y21, y21b, y21bd, y21d, y22, y22b, y22bd, y22d, y23, y23b, y23bd,
-      y23d, y24, y24b, y24bd, y24d, y3, y3b, y3bd, y3d, y4, y4b, y4bd, y4d, y5, y5b, y5bd, y5d, y6,
-      y6b, y6bd, y6d, y7, y7b, y7bd, y7d, y8, y8b, y8bd, y8d, y9, y9b, y9bd, y9d, yb, ybd, yd,
-      z0_2b, z0_2bd, z0_3b, z0_3bd, z0b, z0bd, z1_2b, z1_2bd, z1_3, z1_3b, z1_3bd, z1_3d, z1b, z1bd,
-      z20, z20b, z20bd, z20d, z21, z21b, z21bd, z21d, z22, z22b, z22bd, z22d, z30, z30b, z30bd,
-      z30d, z31b, z31bd, z4, z4b, z4bd, z4d, z5, z5b, z5bd, z5d, z6, z6b, z6bd, z6d;
+      slip1d, slip2b, slip2bd, speed2, speed2b, speed2bd, speed2d, speed3, speed3b, speed3bd,
+      speed3d, stiff, stiff2, stiff2b, stiff2bd, stiff2d, stiff3, stiff3b, stiff3bd, stiff3d,
+      stiff4, stiff4b, stiff4bd, stiff4d, stiffb, stiffbd, stiffd, sumb, sumbd, svx, svxb, svxbd,
+      svxd, svy, svyb, svybd, svyd, t10, t100, t100b, t100bd, t100d, t101, t101b, t101bd, t101d,
+      t102, t102b, t102bd, t102d, t103, t103b, t103bd, t103d, t104, t104b, t104bd, t104d, t105,
+      t105b, t105bd, t105d, t106, t106b, t106bd, t106d, t107, t107b, t107bd, t107d, t108, t108b,
+      t108bd, t108d, t109, t109b, t109bd, t109d, t10b, t10bd, t10d, t11, t110, t110b, t110bd, t110d,
+      t111, t111b, t111bd, t111d, t112, t112b, t112bd, t112d, t11b, t11bd, t11d, t12, t12b, t12bd,
+      t12d, t13b, t13bd, t14, t14b, t14bd, t14d, t15, t15b, t15bd, t15d, t16, t16b, t16bd, t16d,
+      t17, t17b, t17bd, t17d, t18, t18b, t18bd, t18d, t19, t19b, t19bd, t19d, t2, t20, t20b, t20bd,
+      t20d, t21, t21b, t21bd, t21d, t22, t22b, t22bd, t22d, t23, t23b, t23bd, t23d, t24, t24b,
+      t24bd, t24d, t25, t25b, t25bd, t25d, t26, t26b, t26bd, t26d, t27, t27b, t27bd, t27d, t28,
+      t28b, t28bd, t28d, t29, t29b, t29bd, t29d, t2b, t2bd, t2d, t3, t30, t30b, t30bd, t30d, t31,
+      t31b, t31bd, t31d, t32, t32b, t32bd, t32d, t33, t33b, t33bd, t33d, t34, t34b, t34bd, t34d,
+      t35, t35b, t35bd, t35d, t36, t36b, t36bd, t36d, t37, t37b, t37bd, t37d, t38, t38b, t38bd,
+      t38d, t39, t39b, t39bd, t39d, t3b, t3bd, t3d, t4, t40, t40b, t40bd, t40d, t41, t41b, t41bd,
+      t41d, t42, t42b, t42bd, t42d, t43, t43b, t43bd, t43d, t44, t44b, t44bd, t44d, t45, t45b,
+      t45bd, t45d, t46, t46b, t46bd, t46d, t47, t47b, t47bd, t47d, t48, t48b, t48bd, t48d, t49,
+      t49b, t49bd, t49d, t4b, t4bd, t4d, t5, t50, t50b, t50bd, t50d, t51, t51b, t51bd, t51d, t52,
+      t52b, t52bd, t52d, t53, t53b, t53bd, t53d, t54, t54b, t54bd, t54d, t55, t55b, t55bd, t55d,
+      t56, t56b, t56bd, t56d, t57, t57b, t57bd, t57d, t58, t58b, t58bd, t58d, t59, t59b, t59bd,
+      t59d, t5b, t5bd, t5d, t6, t60, t60b, t60bd, t60d, t61, t61b, t61bd, t61d, t62, t62b, t62bd,
+      t62d, t63, t63b, t63bd, t63d, t64, t64b, t64bd, t64d, t65, t65b, t65bd, t65d, t66, t66b,
+      t66bd, t66d, t67, t67b, t67bd, t67d, t68, t68b, t68bd, t68d, t69, t69b, t69bd, t69d, t6b,
+      t6bd, t6d, t7, t70, t70b, t70bd, t70d, t71, t71b, t71bd, t71d, t72, t72b, t72bd, t72d, t73,
+      t73b, t73bd, t73d, t74, t74b, t74bd, t74d, t75, t75b, t75bd, t75d, t76, t76b, t76bd, t76d,
+      t77, t77b, t77bd, t77d, t78, t78b, t78bd, t78d, t79, t79b, t79bd, t79d, t7b, t7bd, t7d, t8,
+      t80, t80b, t80bd, t80d, t81, t81b, t81bd, t81d, t82, t82b, t82bd, t82d, t83, t83b, t83bd,
+      t83d, t84, t84b, t84bd, t84d, t85, t85b, t85bd, t85d, t86, t86b, t86bd, t86d, t87, t87b,
+      t87bd, t87d, t88, t88b, t88bd, t88d, t89, t89b, t89bd, t89d, t8b, t8bd, t8d, t9, t90, t90b,
+      t90bd, t90d, t91, t91b, t91bd, t91d, t92, t92b, t92bd, t92d, t93, t93b, t93bd, t93d, t94,
+      t94b, t94bd, t94d, t95, t95b, t95bd, t95d, t96, t96b, t96bd, t96d, t97, t97b, t97bd, t97d,
+      t98, t98b, t98bd, t98d, t99, t99b, t99bd, t99d, t9b, t9bd, t9d, tb10, tb100, tb100d, tb101,
+      tb101d, tb102, tb102d, tb103, tb103d, tb104, tb104d, tb105, tb105d, tb106, tb106d, tb107,
+      tb107d, tb108, tb108d, tb109, tb109d, tb10d, tb11, tb110, tb110d, tb111, tb111d, tb112,
+      tb112d, tb113, tb113d, tb114, tb114d, tb115, tb115d, tb116, tb116d, tb117, tb117d, tb118,
+      tb118d, tb119, tb119d, tb11d, tb12, tb120, tb120d, tb121, tb121d, tb122, tb122d, tb123,
+      tb123d, tb124, tb124d, tb125, tb125d, tb126, tb126d, tb127, tb127d, tb128, tb128d, tb129,
+      tb129d, tb12d, tb13, tb130, tb130d, tb131, tb131d, tb132, tb132d, tb133, tb133d, tb134,
+      tb134d, tb135, tb135d, tb136, tb136d, tb137, tb137d, tb138, tb138d, tb139, tb139d, tb13d,
+      tb14, tb140, tb140d, tb141, tb141d, tb142, tb142d, tb143, tb143d, tb144, tb144d, tb145,
+      tb145d, tb146, tb146d, tb147, tb147d, tb148, tb148d, tb149, tb149d, tb14d, tb15, tb150,
+      tb150d, tb151, tb151d, tb152, tb152d, tb153, tb153d, tb154, tb154d, tb155, tb155d, tb156,
+      tb156d, tb157, tb157d, tb158, tb158d, tb159, tb159d, tb15d, tb16, tb160, tb160d, tb161,
+      tb161d, tb162, tb162d, tb163, tb163d, tb164, tb164d, tb165, tb165d, tb166, tb166d, tb167,
+      tb167d, tb168, tb168d, tb169, tb169d, tb16d, tb17, tb170, tb170d, tb171, tb171d, tb172,
+      tb172d, tb173, tb173d, tb174, tb174d, tb175, tb175d, tb176, tb176d, tb177, tb177d, tb178,
+      tb178d, tb179, tb179d, tb17d, tb18, tb180, tb180d, tb181, tb181d, tb182, tb182d, tb183,
+      tb183d, tb184, tb184d, tb185, tb185d, tb186, tb186d, tb187, tb187d, tb188, tb188d, tb189,
+      tb189d, tb18d, tb19, tb190, tb190d, tb191, tb191d, tb19d, tb2, tb20, tb20d, tb21, tb21d, tb22,
+      tb22d, tb23, tb23d, tb24, tb24d, tb25, tb25d, tb26, tb26d, tb27, tb27d, tb28, tb28d, tb29,
+      tb29d, tb2d, tb3, tb30, tb30d, tb31, tb31d, tb32, tb32d, tb33, tb33d, tb34, tb34d, tb35,
+      tb35d, tb36, tb36d, tb37, tb37d, tb38, tb38d, tb39, tb39d, tb3d, tb4, tb40, tb40d, tb41,
+      tb41d, tb42, tb42d, tb43, tb43d, tb44, tb44d, tb45, tb45d, tb46, tb46d, tb47, tb47d, tb48,
+      tb48d, tb49, tb49d, tb4d, tb5, tb50, tb50d, tb51, tb51d, tb52, tb52d, tb53, tb53d, tb54,
+      tb54d, tb55, tb55d, tb56, tb56d, tb57, tb57d, tb58, tb58d, tb59, tb59d, tb5d, tb6, tb60,
+      tb60d, tb61, tb61d, tb62, tb62d, tb63, tb63d, tb64, tb64d, tb65, tb65d, tb66, tb66d, tb67,
+      tb67d, tb68, tb68d, tb69, tb69d, tb6d, tb7, tb70, tb70d, tb71, tb71d, tb72, tb72d, tb73,
+      tb73d, tb74, tb74d, tb75, tb75d, tb76, tb76d, tb77, tb77d, tb78, tb78d, tb79, tb79d, tb7d,
+      tb8, tb80, tb80d, tb81, tb81d, tb82, tb82d, tb83, tb83d, tb84, tb84d, tb85, tb85d, tb86,
+      tb86d, tb87, tb87d, tb88, tb88d, tb89, tb89d, tb8d, tb9, tb90, tb90d, tb91, tb91d, tb92,
+      tb92d, tb93, tb93d, tb94, tb94d, tb95, tb95d, tb96, tb96d, tb97, tb97d, tb98, tb98d, tb99,
+      tb99d, tb9d, torque0b, torque0bd, u20, u20b, u20bd, u20d, u21, u21b, u21bd, u21d, u30, u30b,
+      u30bd, u30d, u31, u31b, u31bd, u31d, u32, u32b, u32bd, u32d, ua0, ua0b, ua0bd, ua0d, ua1,
+      ua1b, ua1bd, ua1d, ua2, ua2b, ua2bd, ua2d, un0, un0b, un0bd, un0d, un1, un1b, un1bd, un1d,
+      un2, un2b, un2bd, un2d, v20, v20b, v20bd, v20d, v21, v21b, v21bd, v21d, v22, v22b, v22bd,
+      v22d, vr0, vr0b, vr0bd, vr0d, vr1, vr1b, vr1bd, vr1d, vr2, vr2b, vr2bd, vr2d, vx, vxb, vxbd,
+      vxd, w, w2, w2b, w2bd, w2d, way, wayb, waybd, wayd, wb, wbd, wd, wr0, wr0b, wr0bd, wr0d, wr1,
+      wr1b, wr1bd, wr1d, wr2, wr2b, wr2bd, wr2d, x2, x2b, x2bd, x2d, x3, x3b, x3bd, x3d, x4, x4b,
+      x4bd, x4d, x50, x50b, x50bd, x50d, x51, x51b, x51bd, x51d, x6, x6b, x6bd, x6d, x7, x7b, x7bd,
+      x7d, x8, x8b, x8bd, x8d, x9, x9b, x9bd, x9d, xv, xvb, xvbd, xvd, y, y10, y10b, y10bd, y10d,
+      y11, y11b, y11bd, y11d, y12, y12b, y12bd, y12d, y13, y13b, y13bd, y13d, y14, y14b, y14bd,
+      y14d, y15, y15b, y15bd, y15d, y16, y16b, y16bd, y16d, y17, y17b, y17bd, y17d, y18, y18b,
+      y18bd, y18d, y20, y20b, y20bd, y20d, y21, y21b, y21bd, y21d, y22, y22b, y22bd, y22d, y23,
+      y23b, y23bd, y23d, y24, y24b, y24bd, y24d, y3, y3b, y3bd, y3d, y4, y4b, y4bd, y4d, y5, y5b,
+      y5bd, y5d, y6, y6b, y6bd, y6d, y7, y7b, y7bd, y7d, y8, y8b, y8bd, y8d, y9, y9b, y9bd, y9d, yb,
+      ybd, yd, z0_2b, z0_2bd, z0_3b, z0_3bd, z0b, z0bd, z1_2b, z1_2bd, z1_3, z1_3b, z1_3bd, z1_3d,
+      z1b, z1bd, z20, z20b, z20bd, z20d, z21, z21b, z21bd, z21d, z22, z22b, z22bd, z22d, z30, z30b,
+      z30bd, z30d, z31b, z31bd, z4, z4b, z4bd, z4d, z5, z5b, z5bd, z5d, z6, z6b, z6bd, z6d;
 
   (void)origin;
   (void)x;
   (void)xd;
   (void)Za;
   (void)Zad;
+  (void)driver;
+  (void)driverd;
+  (void)speed;
+  (void)speedd;
   (void)lambda;
   (void)lambdad;
   A_j0 = 0.0;
@@ -392,8 +404,8 @@ void maggi_sensors_b_d(const maggi_topo *t, const double p[restrict t->np],
   side = 0.0;
   slip1 = 0.0;
   slip1d = 0.0;
-  speed = 0.0;
-  speedd = 0.0;
+  speed2 = 0.0;
+  speed2d = 0.0;
   t14 = 0.0;
   t14d = 0.0;
   t17 = 0.0;
@@ -707,250 +719,257 @@ void maggi_sensors_b_d(const maggi_topo *t, const double p[restrict t->np],
                       z1_3 = s[i][1];
                       z1_3d = sd[i][1];
                     } else {
-                      a4_3 = t->wheelpoint[n2];
-                      b2_2 = t->wheelroad[n2];
-                      j = t->wheelbody[n2];
-                      k = t->wheelcarrier[n2];
-                      side = t->wheelmirror[n2] ? -1.0 : 1.0;
-                      a00 = p[t->wheelaxis[n2]];
-                      a00d = pd[t->wheelaxis[n2]];
-                      a01 = p[t->wheelaxis[n2] + 1];
-                      a01d = pd[t->wheelaxis[n2] + 1];
-                      a02 = p[t->wheelaxis[n2] + 2];
-                      a02d = pd[t->wheelaxis[n2] + 2];
-                      ua0 = A[j][0] * a00 + A[j][1] * a01 + A[j][2] * a02;
-                      ua0d = Ad[j][0] * a00 + A[j][0] * a00d + (Ad[j][1] * a01 + A[j][1] * a01d) +
-                          (Ad[j][2] * a02 + A[j][2] * a02d);
-                      ua1 = A[j][3] * a00 + A[j][4] * a01 + A[j][5] * a02;
-                      ua1d = Ad[j][3] * a00 + A[j][3] * a00d + (Ad[j][4] * a01 + A[j][4] * a01d) +
-                          (Ad[j][5] * a02 + A[j][5] * a02d);
-                      ua2 = A[j][6] * a00 + A[j][7] * a01 + A[j][8] * a02;
-                      ua2d = Ad[j][6] * a00 + A[j][6] * a00d + (Ad[j][7] * a01 + A[j][7] * a01d) +
-                          (Ad[j][8] * a02 + A[j][8] * a02d);
-                      t23 = ua0 * ua0 + ua1 * ua1 + ua2 * ua2;
-                      t23d = ua0d * ua0 + ua0 * ua0d + (ua1d * ua1 + ua1 * ua1d) + (ua2d * ua2 + ua2
-                          * ua2d);
-                      n5 = sqrt(t23);
-                      n5d = 1.0 / (2.0 * n5) * t23d;
-                      u30 = ua0 / n5;
-                      u30d = (ua0d - u30 * n5d) * (1.0 / n5);
-                      u31 = ua1 / n5;
-                      u31d = (ua1d - u31 * n5d) * (1.0 / n5);
-                      u32 = ua2 / n5;
-                      u32d = (ua2d - u32 * n5d) * (1.0 / n5);
-                      g20 = r[a4_3][0] - r[t->roadpoint[b2_2]][0];
-                      g20d = rd[a4_3][0] - rd[t->roadpoint[b2_2]][0];
-                      g22 = r[a4_3][2] - r[t->roadpoint[b2_2]][2];
-                      g22d = rd[a4_3][2] - rd[t->roadpoint[b2_2]][2];
-                      x4 = g20;
-                      x4d = g20d;
-                      if (t->roadkind[b2_2] == MAGGI_ROAD_FLAT) {
-                        p_b2 = p[t->roadadr[b2_2]];
-                        p_b2d = pd[t->roadadr[b2_2]];
-                        h00 = p_b2 * x4;
-                        h00d = p_b2d * x4 + p_b2 * x4d;
-                      } else {
-                        p_b2_2 = p[t->roadadr[b2_2] + 1];
-                        p_b2_2d = pd[t->roadadr[b2_2] + 1];
-                        t24 = 6.28318530717958647693 * x4 / p_b2_2;
-                        t24d = (6.28318530717958647693 * x4d - t24 * p_b2_2d) * (1.0 / p_b2_2);
-                        t25 = sin(t24);
-                        t25d = cos(t24) * t24d;
-                        p_b2_3 = p[t->roadadr[b2_2]];
-                        p_b2_3d = pd[t->roadadr[b2_2]];
-                        h00 = p_b2_3 * t25;
-                        h00d = p_b2_3d * t25 + p_b2_3 * t25d;
+                      if (t->sensorkind[i] != MAGGI_SENSOR_SPEED) {
+                        if (t->sensorkind[i] != MAGGI_SENSOR_DRIVER) {
+                          a4_3 = t->wheelpoint[n2];
+                          b2_2 = t->wheelroad[n2];
+                          j = t->wheelbody[n2];
+                          k = t->wheelcarrier[n2];
+                          side = t->wheelmirror[n2] ? -1.0 : 1.0;
+                          a00 = p[t->wheelaxis[n2]];
+                          a00d = pd[t->wheelaxis[n2]];
+                          a01 = p[t->wheelaxis[n2] + 1];
+                          a01d = pd[t->wheelaxis[n2] + 1];
+                          a02 = p[t->wheelaxis[n2] + 2];
+                          a02d = pd[t->wheelaxis[n2] + 2];
+                          ua0 = A[j][0] * a00 + A[j][1] * a01 + A[j][2] * a02;
+                          ua0d = Ad[j][0] * a00 + A[j][0] * a00d + (Ad[j][1] * a01 + A[j][1] * a01d)
+                              + (Ad[j][2] * a02 + A[j][2] * a02d);
+                          ua1 = A[j][3] * a00 + A[j][4] * a01 + A[j][5] * a02;
+                          ua1d = Ad[j][3] * a00 + A[j][3] * a00d + (Ad[j][4] * a01 + A[j][4] * a01d)
+                              + (Ad[j][5] * a02 + A[j][5] * a02d);
+                          ua2 = A[j][6] * a00 + A[j][7] * a01 + A[j][8] * a02;
+                          ua2d = Ad[j][6] * a00 + A[j][6] * a00d + (Ad[j][7] * a01 + A[j][7] * a01d)
+                              + (Ad[j][8] * a02 + A[j][8] * a02d);
+                          t23 = ua0 * ua0 + ua1 * ua1 + ua2 * ua2;
+                          t23d = ua0d * ua0 + ua0 * ua0d + (ua1d * ua1 + ua1 * ua1d) + (ua2d * ua2 +
+                              ua2 * ua2d);
+                          n5 = sqrt(t23);
+                          n5d = 1.0 / (2.0 * n5) * t23d;
+                          u30 = ua0 / n5;
+                          u30d = (ua0d - u30 * n5d) * (1.0 / n5);
+                          u31 = ua1 / n5;
+                          u31d = (ua1d - u31 * n5d) * (1.0 / n5);
+                          u32 = ua2 / n5;
+                          u32d = (ua2d - u32 * n5d) * (1.0 / n5);
+                          g20 = r[a4_3][0] - r[t->roadpoint[b2_2]][0];
+                          g20d = rd[a4_3][0] - rd[t->roadpoint[b2_2]][0];
+                          g22 = r[a4_3][2] - r[t->roadpoint[b2_2]][2];
+                          g22d = rd[a4_3][2] - rd[t->roadpoint[b2_2]][2];
+                          x4 = g20;
+                          x4d = g20d;
+                          if (t->roadkind[b2_2] == MAGGI_ROAD_FLAT) {
+                            p_b2 = p[t->roadadr[b2_2]];
+                            p_b2d = pd[t->roadadr[b2_2]];
+                            h00 = p_b2 * x4;
+                            h00d = p_b2d * x4 + p_b2 * x4d;
+                          } else {
+                            p_b2_2 = p[t->roadadr[b2_2] + 1];
+                            p_b2_2d = pd[t->roadadr[b2_2] + 1];
+                            t24 = 6.28318530717958647693 * x4 / p_b2_2;
+                            t24d = (6.28318530717958647693 * x4d - t24 * p_b2_2d) * (1.0 / p_b2_2);
+                            t25 = sin(t24);
+                            t25d = cos(t24) * t24d;
+                            p_b2_3 = p[t->roadadr[b2_2]];
+                            p_b2_3d = pd[t->roadadr[b2_2]];
+                            h00 = p_b2_3 * t25;
+                            h00d = p_b2_3d * t25 + p_b2_3 * t25d;
+                          }
+                          t26 = u30 * u30 + u31 * u31;
+                          t26d = u30d * u30 + u30 * u30d + (u31d * u31 + u31 * u31d);
+                          t27 = u32 * u30 / t26;
+                          t27d = (u32d * u30 + u32 * u30d - t27 * t26d) * (1.0 / t26);
+                          x3 = g20 + t27 * (g22 - h00);
+                          x3d = g20d + (t27d * (g22 - h00) + t27 * (g22d - h00d));
+                          if (t->roadkind[b2_2] == MAGGI_ROAD_FLAT) {
+                            p_b2_4 = p[t->roadadr[b2_2]];
+                            p_b2_4d = pd[t->roadadr[b2_2]];
+                            h10 = p_b2_4 * x3;
+                            h10d = p_b2_4d * x3 + p_b2_4 * x3d;
+                            h11 = p_b2_4;
+                            h11d = p_b2_4d;
+                          } else {
+                            p_b2_5 = p[t->roadadr[b2_2] + 1];
+                            p_b2_5d = pd[t->roadadr[b2_2] + 1];
+                            t28 = 6.28318530717958647693 * x3 / p_b2_5;
+                            t28d = (6.28318530717958647693 * x3d - t28 * p_b2_5d) * (1.0 / p_b2_5);
+                            t29 = sin(t28);
+                            t29d = cos(t28) * t28d;
+                            p_b2_6 = p[t->roadadr[b2_2]];
+                            p_b2_6d = pd[t->roadadr[b2_2]];
+                            h10 = p_b2_6 * t29;
+                            h10d = p_b2_6d * t29 + p_b2_6 * t29d;
+                            t30 = p_b2_6 * 6.28318530717958647693 / p_b2_5;
+                            t30d = (p_b2_6d * 6.28318530717958647693 - t30 * p_b2_5d) * (1.0 /
+                                p_b2_5);
+                            t31 = 6.28318530717958647693 * x3 / p_b2_5;
+                            t31d = (6.28318530717958647693 * x3d - t31 * p_b2_5d) * (1.0 / p_b2_5);
+                            t32 = cos(t31);
+                            t32d = -(sin(t31) * t31d);
+                            h11 = t30 * t32;
+                            h11d = t30d * t32 + t30 * t32d;
+                          }
+                          t33 = 1.0 + h11 * h11;
+                          t33d = h11d * h11 + h11 * h11d;
+                          s2 = sqrt(t33);
+                          s2d = 1.0 / (2.0 * s2) * t33d;
+                          n60 = -h11 / s2;
+                          n60d = (-h11d - n60 * s2d) * (1.0 / s2);
+                          n61 = 0.0;
+                          n62 = 1.0 / s2;
+                          n62d = -(n62 * s2d * (1.0 / s2));
+                          c3 = u30 * n60 + u31 * n61 + u32 * n62;
+                          c3d = u30d * n60 + u30 * n60d + u31d * n61 + (u32d * n62 + u32 * n62d);
+                          un0 = u31 * n62 - u32 * n61;
+                          un0d = u31d * n62 + u31 * n62d - u32d * n61;
+                          un1 = u32 * n60 - u30 * n62;
+                          un1d = u32d * n60 + u32 * n60d - (u30d * n62 + u30 * n62d);
+                          un2 = u30 * n61 - u31 * n60;
+                          un2d = u30d * n61 - (u31d * n60 + u31 * n60d);
+                          t34 = un0 * un0 + un1 * un1 + un2 * un2;
+                          t34d = un0d * un0 + un0 * un0d + (un1d * un1 + un1 * un1d) + (un2d * un2 +
+                              un2 * un2d);
+                          w2 = sqrt(t34);
+                          w2d = 1.0 / (2.0 * w2) * t34d;
+                          r3 = ((g20 - x3) * n60 + (g22 - h10) * n62) / w2;
+                          r3d = ((g20d - x3d) * n60 + (g20 - x3) * n60d + ((g22d - h10d) * n62 +
+                              (g22 - h10) * n62d) - r3 * w2d) * (1.0 / w2);
+                          along0 = un0 / w2;
+                          along0d = (un0d - along0 * w2d) * (1.0 / w2);
+                          along1 = un1 / w2;
+                          along1d = (un1d - along1 * w2d) * (1.0 / w2);
+                          along2 = un2 / w2;
+                          along2d = (un2d - along2 * w2d) * (1.0 / w2);
+                          L0 = n61 * along2 - n62 * along1;
+                          L0d = n61 * along2d - (n62d * along1 + n62 * along1d);
+                          L1 = n62 * along0 - n60 * along2;
+                          L1d = n62d * along0 + n62 * along0d - (n60d * along2 + n60 * along2d);
+                          L2 = n60 * along1 - n61 * along0;
+                          L2d = n60d * along1 + n60 * along1d - n61 * along0d;
+                          arm0 = r3 * (c3 * u30 - n60) / w2;
+                          arm0d = (r3d * (c3 * u30 - n60) + r3 * (c3d * u30 + c3 * u30d - n60d) -
+                              arm0 * w2d) * (1.0 / w2);
+                          T0 = along0;
+                          T0d = along0d;
+                          N0 = n60;
+                          N0d = n60d;
+                          arm1 = r3 * (c3 * u31 - n61) / w2;
+                          arm1d = (r3d * (c3 * u31 - n61) + r3 * (c3d * u31 + c3 * u31d) - arm1 *
+                              w2d) * (1.0 / w2);
+                          T1 = along1;
+                          T1d = along1d;
+                          N1 = n61;
+                          arm2 = r3 * (c3 * u32 - n62) / w2;
+                          arm2d = (r3d * (c3 * u32 - n62) + r3 * (c3d * u32 + c3 * u32d - n62d) -
+                              arm2 * w2d) * (1.0 / w2);
+                          T2 = along2;
+                          T2d = along2d;
+                          N2 = n62;
+                          N2d = n62d;
+                          z20 = r3;
+                          z20d = r3d;
+                          z21 = c3;
+                          z21d = c3d;
+                          z22 = w2;
+                          z22d = w2d;
+                          Z_k3 = Z[k][3];
+                          Z_k3d = Zd[k][3];
+                          wr0 = Z_k3;
+                          wr0d = Z_k3d;
+                          Z_k4 = Z[k][4];
+                          Z_k4d = Zd[k][4];
+                          wr1 = Z_k4;
+                          wr1d = Z_k4d;
+                          Z_k5 = Z[k][5];
+                          Z_k5d = Zd[k][5];
+                          wr2 = Z_k5;
+                          wr2d = Z_k5d;
+                          vr0 = wr1 * arm2 - wr2 * arm1;
+                          vr0d = wr1d * arm2 + wr1 * arm2d - (wr2d * arm1 + wr2 * arm1d);
+                          vr1 = wr2 * arm0 - wr0 * arm2;
+                          vr1d = wr2d * arm0 + wr2 * arm0d - (wr0d * arm2 + wr0 * arm2d);
+                          vr2 = wr0 * arm1 - wr1 * arm0;
+                          vr2d = wr0d * arm1 + wr0 * arm1d - (wr1d * arm0 + wr1 * arm0d);
+                          v20 = rv[a4_3][0] + vr0;
+                          v20d = rvd[a4_3][0] + vr0d;
+                          v21 = rv[a4_3][1] + vr1;
+                          v21d = rvd[a4_3][1] + vr1d;
+                          v22 = rv[a4_3][2] + vr2;
+                          v22d = rvd[a4_3][2] + vr2d;
+                          vx = v20 * T0 + v21 * T1 + v22 * T2;
+                          vxd = v20d * T0 + v20 * T0d + (v21d * T1 + v21 * T1d) + (v22d * T2 + v22 *
+                              T2d);
+                          rhov = -(v20 * N0 + v21 * N1 + v22 * N2) / z22;
+                          rhovd = (-(v20d * N0 + v20 * N0d + v21d * N1 + (v22d * N2 + v22 * N2d)) -
+                              rhov * z22d) * (1.0 / z22);
+                          omega = (Z[j][3] - Z_k3) * u30 + (Z[j][4] - Z_k4) * u31 + (Z[j][5] - Z_k5)
+                              * u32;
+                          omegad = (Zd[j][3] - Z_k3d) * u30 + (Z[j][3] - Z_k3) * u30d + ((Zd[j][4] -
+                              Z_k4d) * u31 + (Z[j][4] - Z_k4) * u31d) + ((Zd[j][5] - Z_k5d) * u32 +
+                              (Z[j][5] - Z_k5) * u32d);
+                          p2 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_VERTICAL_STIFFNESS];
+                          p2d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_VERTICAL_STIFFNESS];
+                          p3 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_UNLOADED_RADIUS];
+                          p3d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_UNLOADED_RADIUS];
+                          fz = p2 * (p3 - z20) + p[t->tyreadr[t->wheeltyre[n2]] +
+                              MAGGI_TYRE_VERTICAL_DAMPING] * rhov;
+                          fzd = p2d * (p3 - z20) + p2 * (p3d - z20d) +
+                              (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_VERTICAL_DAMPING] * rhov
+                              + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_VERTICAL_DAMPING] *
+                              rhovd);
+                          fz0 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LFZO] *
+                              p[t->tyreadr[t->wheeltyre[n2]]];
+                          fz0d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LFZO] *
+                              p[t->tyreadr[t->wheeltyre[n2]]] + p[t->tyreadr[t->wheeltyre[n2]] +
+                              MAGGI_TYRE_LFZO] * pd[t->tyreadr[t->wheeltyre[n2]]];
+                          ratio = fz / fz0;
+                          ratiod = (fzd - ratio * fz0d) * (1.0 / fz0);
+                          t35 = fz0 / p2;
+                          t35d = (fz0d - t35 * p2d) * (1.0 / p2);
+                          t36 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_BREFF] * ratio;
+                          t36d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_BREFF] * ratio +
+                              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_BREFF] * ratiod;
+                          t37 = atan(t36);
+                          t37d = 1.0 / (1.0 + t36 * t36) * t36d;
+                          re = p3 - t35 * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_DREFF] * t37
+                              + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_FREFF] * ratio);
+                          red = p3d - (t35d * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_DREFF] *
+                              t37 + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_FREFF] * ratio) +
+                              t35 * (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_DREFF] * t37 +
+                              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_DREFF] * t37d +
+                              (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_FREFF] * ratio +
+                              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_FREFF] * ratiod)));
+                          if (MAGGI_RE(vx) > MAGGI_RE(p[t->tyreadr[t->wheeltyre[n2]] +
+                              MAGGI_TYRE_VXLOW])) {
+                            y = vx;
+                            yd = vxd;
+                          } else if (MAGGI_RE(vx) < -MAGGI_RE(p[t->tyreadr[t->wheeltyre[n2]] +
+                              MAGGI_TYRE_VXLOW])) {
+                            y = -vx;
+                            yd = -vxd;
+                          } else {
+                            p4 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_VXLOW];
+                            p4d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_VXLOW];
+                            t38 = vx * vx / p4;
+                            t38d = (vxd * vx + vx * vxd - t38 * p4d) * (1.0 / p4);
+                            y = 0.5 * (p4 + t38);
+                            yd = 0.5 * (p4d + t38d);
+                          }
+                          speed2 = y;
+                          speed2d = yd;
+                          kappa = (omega * re - vx) / speed2;
+                          kappad = (omegad * re + omega * red - vxd - kappa * speed2d) * (1.0 /
+                              speed2);
+                          a2 = (v20 * L0 + v21 * L1 + v22 * L2) / speed2;
+                          a2d = (v20d * L0 + v20 * L0d + (v21d * L1 + v21 * L1d) + (v22d * L2 + v22
+                              * L2d) - a2 * speed2d) * (1.0 / speed2);
+                          gamma = atan2(z21, z22);
+                          gammad = z22 / (z22 * z22 + z21 * z21) * z21d - z21 / (z22 * z22 + z21 *
+                              z21) * z22d;
+                          slip1 = a2;
+                          slip1d = a2d;
+                        }
                       }
-                      t26 = u30 * u30 + u31 * u31;
-                      t26d = u30d * u30 + u30 * u30d + (u31d * u31 + u31 * u31d);
-                      t27 = u32 * u30 / t26;
-                      t27d = (u32d * u30 + u32 * u30d - t27 * t26d) * (1.0 / t26);
-                      x3 = g20 + t27 * (g22 - h00);
-                      x3d = g20d + (t27d * (g22 - h00) + t27 * (g22d - h00d));
-                      if (t->roadkind[b2_2] == MAGGI_ROAD_FLAT) {
-                        p_b2_4 = p[t->roadadr[b2_2]];
-                        p_b2_4d = pd[t->roadadr[b2_2]];
-                        h10 = p_b2_4 * x3;
-                        h10d = p_b2_4d * x3 + p_b2_4 * x3d;
-                        h11 = p_b2_4;
-                        h11d = p_b2_4d;
-                      } else {
-                        p_b2_5 = p[t->roadadr[b2_2] + 1];
-                        p_b2_5d = pd[t->roadadr[b2_2] + 1];
-                        t28 = 6.28318530717958647693 * x3 / p_b2_5;
-                        t28d = (6.28318530717958647693 * x3d - t28 * p_b2_5d) * (1.0 / p_b2_5);
-                        t29 = sin(t28);
-                        t29d = cos(t28) * t28d;
-                        p_b2_6 = p[t->roadadr[b2_2]];
-                        p_b2_6d = pd[t->roadadr[b2_2]];
-                        h10 = p_b2_6 * t29;
-                        h10d = p_b2_6d * t29 + p_b2_6 * t29d;
-                        t30 = p_b2_6 * 6.28318530717958647693 / p_b2_5;
-                        t30d = (p_b2_6d * 6.28318530717958647693 - t30 * p_b2_5d) * (1.0 / p_b2_5);
-                        t31 = 6.28318530717958647693 * x3 / p_b2_5;
-                        t31d = (6.28318530717958647693 * x3d - t31 * p_b2_5d) * (1.0 / p_b2_5);
-                        t32 = cos(t31);
-                        t32d = -(sin(t31) * t31d);
-                        h11 = t30 * t32;
-                        h11d = t30d * t32 + t30 * t32d;
-                      }
-                      t33 = 1.0 + h11 * h11;
-                      t33d = h11d * h11 + h11 * h11d;
-                      s2 = sqrt(t33);
-                      s2d = 1.0 / (2.0 * s2) * t33d;
-                      n60 = -h11 / s2;
-                      n60d = (-h11d - n60 * s2d) * (1.0 / s2);
-                      n61 = 0.0;
-                      n62 = 1.0 / s2;
-                      n62d = -(n62 * s2d * (1.0 / s2));
-                      c3 = u30 * n60 + u31 * n61 + u32 * n62;
-                      c3d = u30d * n60 + u30 * n60d + u31d * n61 + (u32d * n62 + u32 * n62d);
-                      un0 = u31 * n62 - u32 * n61;
-                      un0d = u31d * n62 + u31 * n62d - u32d * n61;
-                      un1 = u32 * n60 - u30 * n62;
-                      un1d = u32d * n60 + u32 * n60d - (u30d * n62 + u30 * n62d);
-                      un2 = u30 * n61 - u31 * n60;
-                      un2d = u30d * n61 - (u31d * n60 + u31 * n60d);
-                      t34 = un0 * un0 + un1 * un1 + un2 * un2;
-                      t34d = un0d * un0 + un0 * un0d + (un1d * un1 + un1 * un1d) + (un2d * un2 + un2
-                          * un2d);
-                      w2 = sqrt(t34);
-                      w2d = 1.0 / (2.0 * w2) * t34d;
-                      r3 = ((g20 - x3) * n60 + (g22 - h10) * n62) / w2;
-                      r3d = ((g20d - x3d) * n60 + (g20 - x3) * n60d + ((g22d - h10d) * n62 + (g22 -
-                          h10) * n62d) - r3 * w2d) * (1.0 / w2);
-                      along0 = un0 / w2;
-                      along0d = (un0d - along0 * w2d) * (1.0 / w2);
-                      along1 = un1 / w2;
-                      along1d = (un1d - along1 * w2d) * (1.0 / w2);
-                      along2 = un2 / w2;
-                      along2d = (un2d - along2 * w2d) * (1.0 / w2);
-                      L0 = n61 * along2 - n62 * along1;
-                      L0d = n61 * along2d - (n62d * along1 + n62 * along1d);
-                      L1 = n62 * along0 - n60 * along2;
-                      L1d = n62d * along0 + n62 * along0d - (n60d * along2 + n60 * along2d);
-                      L2 = n60 * along1 - n61 * along0;
-                      L2d = n60d * along1 + n60 * along1d - n61 * along0d;
-                      arm0 = r3 * (c3 * u30 - n60) / w2;
-                      arm0d = (r3d * (c3 * u30 - n60) + r3 * (c3d * u30 + c3 * u30d - n60d) - arm0 *
-                          w2d) * (1.0 / w2);
-                      T0 = along0;
-                      T0d = along0d;
-                      N0 = n60;
-                      N0d = n60d;
-                      arm1 = r3 * (c3 * u31 - n61) / w2;
-                      arm1d = (r3d * (c3 * u31 - n61) + r3 * (c3d * u31 + c3 * u31d) - arm1 * w2d) *
-                          (1.0 / w2);
-                      T1 = along1;
-                      T1d = along1d;
-                      N1 = n61;
-                      arm2 = r3 * (c3 * u32 - n62) / w2;
-                      arm2d = (r3d * (c3 * u32 - n62) + r3 * (c3d * u32 + c3 * u32d - n62d) - arm2 *
-                          w2d) * (1.0 / w2);
-                      T2 = along2;
-                      T2d = along2d;
-                      N2 = n62;
-                      N2d = n62d;
-                      z20 = r3;
-                      z20d = r3d;
-                      z21 = c3;
-                      z21d = c3d;
-                      z22 = w2;
-                      z22d = w2d;
-                      Z_k3 = Z[k][3];
-                      Z_k3d = Zd[k][3];
-                      wr0 = Z_k3;
-                      wr0d = Z_k3d;
-                      Z_k4 = Z[k][4];
-                      Z_k4d = Zd[k][4];
-                      wr1 = Z_k4;
-                      wr1d = Z_k4d;
-                      Z_k5 = Z[k][5];
-                      Z_k5d = Zd[k][5];
-                      wr2 = Z_k5;
-                      wr2d = Z_k5d;
-                      vr0 = wr1 * arm2 - wr2 * arm1;
-                      vr0d = wr1d * arm2 + wr1 * arm2d - (wr2d * arm1 + wr2 * arm1d);
-                      vr1 = wr2 * arm0 - wr0 * arm2;
-                      vr1d = wr2d * arm0 + wr2 * arm0d - (wr0d * arm2 + wr0 * arm2d);
-                      vr2 = wr0 * arm1 - wr1 * arm0;
-                      vr2d = wr0d * arm1 + wr0 * arm1d - (wr1d * arm0 + wr1 * arm0d);
-                      v20 = rv[a4_3][0] + vr0;
-                      v20d = rvd[a4_3][0] + vr0d;
-                      v21 = rv[a4_3][1] + vr1;
-                      v21d = rvd[a4_3][1] + vr1d;
-                      v22 = rv[a4_3][2] + vr2;
-                      v22d = rvd[a4_3][2] + vr2d;
-                      vx = v20 * T0 + v21 * T1 + v22 * T2;
-                      vxd = v20d * T0 + v20 * T0d + (v21d * T1 + v21 * T1d) + (v22d * T2 + v22 *
-                          T2d);
-                      rhov = -(v20 * N0 + v21 * N1 + v22 * N2) / z22;
-                      rhovd = (-(v20d * N0 + v20 * N0d + v21d * N1 + (v22d * N2 + v22 * N2d)) - rhov
-                          * z22d) * (1.0 / z22);
-                      omega = (Z[j][3] - Z_k3) * u30 + (Z[j][4] - Z_k4) * u31 + (Z[j][5] - Z_k5) *
-                          u32;
-                      omegad = (Zd[j][3] - Z_k3d) * u30 + (Z[j][3] - Z_k3) * u30d + ((Zd[j][4] -
-                          Z_k4d) * u31 + (Z[j][4] - Z_k4) * u31d) + ((Zd[j][5] - Z_k5d) * u32 +
-                          (Z[j][5] - Z_k5) * u32d);
-                      p2 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_VERTICAL_STIFFNESS];
-                      p2d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_VERTICAL_STIFFNESS];
-                      p3 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_UNLOADED_RADIUS];
-                      p3d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_UNLOADED_RADIUS];
-                      fz = p2 * (p3 - z20) + p[t->tyreadr[t->wheeltyre[n2]] +
-                          MAGGI_TYRE_VERTICAL_DAMPING] * rhov;
-                      fzd = p2d * (p3 - z20) + p2 * (p3d - z20d) + (pd[t->tyreadr[t->wheeltyre[n2]]
-                          + MAGGI_TYRE_VERTICAL_DAMPING] * rhov + p[t->tyreadr[t->wheeltyre[n2]] +
-                          MAGGI_TYRE_VERTICAL_DAMPING] * rhovd);
-                      fz0 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LFZO] *
-                          p[t->tyreadr[t->wheeltyre[n2]]];
-                      fz0d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LFZO] *
-                          p[t->tyreadr[t->wheeltyre[n2]]] + p[t->tyreadr[t->wheeltyre[n2]] +
-                          MAGGI_TYRE_LFZO] * pd[t->tyreadr[t->wheeltyre[n2]]];
-                      ratio = fz / fz0;
-                      ratiod = (fzd - ratio * fz0d) * (1.0 / fz0);
-                      t35 = fz0 / p2;
-                      t35d = (fz0d - t35 * p2d) * (1.0 / p2);
-                      t36 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_BREFF] * ratio;
-                      t36d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_BREFF] * ratio +
-                          p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_BREFF] * ratiod;
-                      t37 = atan(t36);
-                      t37d = 1.0 / (1.0 + t36 * t36) * t36d;
-                      re = p3 - t35 * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_DREFF] * t37 +
-                          p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_FREFF] * ratio);
-                      red = p3d - (t35d * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_DREFF] * t37
-                          + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_FREFF] * ratio) + t35 *
-                          (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_DREFF] * t37 +
-                          p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_DREFF] * t37d +
-                          (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_FREFF] * ratio +
-                          p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_FREFF] * ratiod)));
-                      if (MAGGI_RE(vx) > MAGGI_RE(p[t->tyreadr[t->wheeltyre[n2]] +
-                          MAGGI_TYRE_VXLOW])) {
-                        y = vx;
-                        yd = vxd;
-                      } else if (MAGGI_RE(vx) < -MAGGI_RE(p[t->tyreadr[t->wheeltyre[n2]] +
-                          MAGGI_TYRE_VXLOW])) {
-                        y = -vx;
-                        yd = -vxd;
-                      } else {
-                        p4 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_VXLOW];
-                        p4d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_VXLOW];
-                        t38 = vx * vx / p4;
-                        t38d = (vxd * vx + vx * vxd - t38 * p4d) * (1.0 / p4);
-                        y = 0.5 * (p4 + t38);
-                        yd = 0.5 * (p4d + t38d);
-                      }
-                      speed = y;
-                      speedd = yd;
-                      kappa = (omega * re - vx) / speed;
-                      kappad = (omegad * re + omega * red - vxd - kappa * speedd) * (1.0 / speed);
-                      a2 = (v20 * L0 + v21 * L1 + v22 * L2) / speed;
-                      a2d = (v20d * L0 + v20 * L0d + (v21d * L1 + v21 * L1d) + (v22d * L2 + v22 *
-                          L2d) - a2 * speedd) * (1.0 / speed);
-                      gamma = atan2(z21, z22);
-                      gammad = z22 / (z22 * z22 + z21 * z21) * z21d - z21 / (z22 * z22 + z21 * z21)
-                          * z22d;
-                      slip1 = a2;
-                      slip1d = a2d;
                     }
                   }
                 }
@@ -1192,8 +1211,8 @@ void maggi_sensors_b_d(const maggi_topo *t, const double p[restrict t->np],
     slip1bd = 0.0;
     slip2b = 0.0;
     slip2bd = 0.0;
-    speedb = 0.0;
-    speedbd = 0.0;
+    speed2b = 0.0;
+    speed2bd = 0.0;
     sumb = 0.0;
     sumbd = 0.0;
     t10b = 0.0;
@@ -2369,6 +2388,32 @@ void maggi_sensors_b_d(const maggi_topo *t, const double p[restrict t->np],
       rbd[a4_2][0] += e20bd;
       rb[b2][0] -= e20b;
       rbd[b2][0] -= e20bd;
+    } else if (t->sensorkind[i] == MAGGI_SENSOR_SPEED) {
+      speedb[n2][2] += sb[i][2];
+      speedbd[n2][2] += sbd[i][2];
+      sb[i][2] = 0.0;
+      sbd[i][2] = 0.0;
+      speedb[n2][1] += sb[i][1];
+      speedbd[n2][1] += sbd[i][1];
+      sb[i][1] = 0.0;
+      sbd[i][1] = 0.0;
+      speedb[n2][0] += sb[i][0];
+      speedbd[n2][0] += sbd[i][0];
+      sb[i][0] = 0.0;
+      sbd[i][0] = 0.0;
+    } else if (t->sensorkind[i] == MAGGI_SENSOR_DRIVER) {
+      driverb[n2][2] += sb[i][2];
+      driverbd[n2][2] += sbd[i][2];
+      sb[i][2] = 0.0;
+      sbd[i][2] = 0.0;
+      driverb[n2][1] += sb[i][1];
+      driverbd[n2][1] += sbd[i][1];
+      sb[i][1] = 0.0;
+      sbd[i][1] = 0.0;
+      driverb[n2][0] += sb[i][0];
+      driverbd[n2][0] += sbd[i][0];
+      sb[i][0] = 0.0;
+      sbd[i][0] = 0.0;
     } else {
       if (t->sensorkind[i] == MAGGI_SENSOR_TYRE_SLIP) {
         slip2b += sb[i][2];
@@ -3166,8 +3211,8 @@ void maggi_sensors_b_d(const maggi_topo *t, const double p[restrict t->np],
               p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LOW_SPEED]);
           way = tanh(t110);
           wayd = (1.0 - way * way) * t110d;
-          speed2 = one4 / p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LONGVL];
-          speed2d = (one4d - speed2 * pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LONGVL]) * (1.0 /
+          speed3 = one4 / p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LONGVL];
+          speed3d = (one4d - speed3 * pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LONGVL]) * (1.0 /
               p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LONGVL]);
           t111 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSX3] * fy / fz0_2;
           t111d = (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSX3] * fy +
@@ -3219,22 +3264,22 @@ void maggi_sensors_b_d(const maggi_topo *t, const double p[restrict t->np],
           tb182d = force4bd * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMY] + force4b *
               pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMY];
           tb183 = tb182 * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY1] + t112 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * way * speed2 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2 * speed2 * speed2 *
-              speed2);
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * way * speed3 +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed3 * speed3 * speed3 *
+              speed3);
           tb183d = tb182d * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY1] + t112 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * way * speed2 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2 * speed2 * speed2 * speed2)
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * way * speed3 +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed3 * speed3 * speed3 * speed3)
               + tb182 * (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY1] + t112d +
               ((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * way +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * wayd) * speed2 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * way * speed2d) +
-              ((((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2d) * speed2 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2 * speed2d) * speed2 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2 * speed2 * speed2d) *
-              speed2 + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2 * speed2 * speed2
-              * speed2d));
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * wayd) * speed3 +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * way * speed3d) +
+              ((((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed3 +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed3d) * speed3 +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed3 * speed3d) * speed3 +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed3 * speed3 * speed3d) *
+              speed3 + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed3 * speed3 * speed3
+              * speed3d));
           tb184 = tb183 * fz2;
           tb184d = tb183d * fz2 + tb183 * fz2d;
           wayb = -(tb184 * r0);
@@ -3250,67 +3295,67 @@ void maggi_sensors_b_d(const maggi_topo *t, const double p[restrict t->np],
           pbd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY1] += tb185d;
           t112b = tb185;
           t112bd = tb185d;
-          tb186 = tb185 * speed2;
-          tb186d = tb185d * speed2 + tb185 * speed2d;
+          tb186 = tb185 * speed3;
+          tb186d = tb185d * speed3 + tb185 * speed3d;
           pb[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] += tb186 * way;
           pbd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] += tb186d * way + tb186 * wayd;
           wayb += tb186 * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3];
           waybd += tb186d * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] + tb186 *
               pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3];
-          speed2b = tb185 * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * way);
-          speed2bd = tb185d * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * way) + tb185 *
+          speed3b = tb185 * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * way);
+          speed3bd = tb185d * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * way) + tb185 *
               (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * way +
               p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * wayd);
-          tb187 = tb185 * speed2;
-          tb187d = tb185d * speed2 + tb185 * speed2d;
-          tb188 = tb187 * speed2;
-          tb188d = tb187d * speed2 + tb187 * speed2d;
-          tb189 = tb188 * speed2;
-          tb189d = tb188d * speed2 + tb188 * speed2d;
-          pb[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] += tb189 * speed2;
-          pbd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] += tb189d * speed2 + tb189 * speed2d;
-          speed2b += tb189 * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4];
-          speed2bd += tb189d * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] + tb189 *
+          tb187 = tb185 * speed3;
+          tb187d = tb185d * speed3 + tb185 * speed3d;
+          tb188 = tb187 * speed3;
+          tb188d = tb187d * speed3 + tb187 * speed3d;
+          tb189 = tb188 * speed3;
+          tb189d = tb188d * speed3 + tb188 * speed3d;
+          pb[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] += tb189 * speed3;
+          pbd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] += tb189d * speed3 + tb189 * speed3d;
+          speed3b += tb189 * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4];
+          speed3bd += tb189d * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] + tb189 *
               pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4];
-          speed2b += tb188 * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2);
-          speed2bd += tb188d * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2) + tb188
-              * (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2d);
-          speed2b += tb187 * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2 * speed2);
-          speed2bd += tb187d * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2 * speed2)
-              + tb187 * ((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2d) * speed2 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2 * speed2d);
-          speed2b += tb185 * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2 * speed2 *
-              speed2);
-          speed2bd += tb185d * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2 * speed2
-              * speed2) + tb185 * (((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2d) * speed2 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2 * speed2d) * speed2 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2 * speed2 * speed2d);
+          speed3b += tb188 * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed3);
+          speed3bd += tb188d * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed3) + tb188
+              * (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed3 +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed3d);
+          speed3b += tb187 * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed3 * speed3);
+          speed3bd += tb187d * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed3 * speed3)
+              + tb187 * ((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed3 +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed3d) * speed3 +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed3 * speed3d);
+          speed3b += tb185 * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed3 * speed3 *
+              speed3);
+          speed3bd += tb185d * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed3 * speed3
+              * speed3) + tb185 * (((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed3 +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed3d) * speed3 +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed3 * speed3d) * speed3 +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed3 * speed3 * speed3d);
           pb[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMY] += force4b * (-way * r0 * fz2 *
               (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY1] + t112 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * way * speed2 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2 * speed2 * speed2 *
-              speed2));
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * way * speed3 +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed3 * speed3 * speed3 *
+              speed3));
           pbd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMY] += force4bd * (-way * r0 * fz2 *
               (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY1] + t112 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * way * speed2 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2 * speed2 * speed2 *
-              speed2)) + force4b * (((-(wayd * r0) - way * r0d) * fz2 + -way * r0 * fz2d) *
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * way * speed3 +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed3 * speed3 * speed3 *
+              speed3)) + force4b * (((-(wayd * r0) - way * r0d) * fz2 + -way * r0 * fz2d) *
               (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY1] + t112 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * way * speed2 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2 * speed2 * speed2 * speed2)
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * way * speed3 +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed3 * speed3 * speed3 * speed3)
               + -way * r0 * fz2 * (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY1] + t112d +
               ((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * way +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * wayd) * speed2 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * way * speed2d) +
-              ((((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2d) * speed2 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2 * speed2d) * speed2 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2 * speed2 * speed2d) *
-              speed2 + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2 * speed2 * speed2
-              * speed2d)));
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * wayd) * speed3 +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * way * speed3d) +
+              ((((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed3 +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed3d) * speed3 +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed3 * speed3d) * speed3 +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed3 * speed3 * speed3d) *
+              speed3 + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed3 * speed3 * speed3
+              * speed3d)));
           tb181 = t112b / fz0_2;
           tb181d = (t112bd - tb181 * fz0_2d) * (1.0 / fz0_2);
           pb[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY2] += tb181 * fx;
@@ -3381,14 +3426,14 @@ void maggi_sensors_b_d(const maggi_topo *t, const double p[restrict t->np],
           fybd += force1bd;
           fxb += force0b;
           fxbd += force0bd;
-          tb176 = speed2b / p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LONGVL];
-          tb176d = (speed2bd - tb176 * pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LONGVL]) * (1.0
+          tb176 = speed3b / p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LONGVL];
+          tb176d = (speed3bd - tb176 * pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LONGVL]) * (1.0
               / p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LONGVL]);
           one4b += tb176;
           one4bd += tb176d;
-          pb[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LONGVL] -= tb176 * speed2;
-          pbd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LONGVL] -= tb176d * speed2 + tb176 *
-              speed2d;
+          pb[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LONGVL] -= tb176 * speed3;
+          pbd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LONGVL] -= tb176d * speed3 + tb176 *
+              speed3d;
           t110b = wayb * (1.0 - way * way);
           t110bd = waybd * (1.0 - way * way) - wayb * (wayd * way + way * wayd);
           tb175 = t110b / p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LOW_SPEED];
@@ -5221,8 +5266,8 @@ void maggi_sensors_b_d(const maggi_topo *t, const double p[restrict t->np],
       z22bd -= gammabd * (z21 / (z22 * z22 + z21 * z21)) + gammab * ((z21d - z21 / (z22 * z22 + z21
           * z21) * (z22d * z22 + z22 * z22d + (z21d * z21 + z21 * z21d))) / (z22 * z22 + z21 *
           z21));
-      tb85 = a2b / speed;
-      tb85d = (a2bd - tb85 * speedd) * (1.0 / speed);
+      tb85 = a2b / speed2;
+      tb85d = (a2bd - tb85 * speed2d) * (1.0 / speed2);
       v20b += tb85 * L0;
       v20bd += tb85d * L0 + tb85 * L0d;
       L0b += tb85 * v20;
@@ -5235,20 +5280,20 @@ void maggi_sensors_b_d(const maggi_topo *t, const double p[restrict t->np],
       v22bd += tb85d * L2 + tb85 * L2d;
       L2b += tb85 * v22;
       L2bd += tb85d * v22 + tb85 * v22d;
-      speedb -= tb85 * a2;
-      speedbd -= tb85d * a2 + tb85 * a2d;
-      tb84 = kappab / speed;
-      tb84d = (kappabd - tb84 * speedd) * (1.0 / speed);
+      speed2b -= tb85 * a2;
+      speed2bd -= tb85d * a2 + tb85 * a2d;
+      tb84 = kappab / speed2;
+      tb84d = (kappabd - tb84 * speed2d) * (1.0 / speed2);
       omegab += tb84 * re;
       omegabd += tb84d * re + tb84 * red;
       reb += tb84 * omega;
       rebd += tb84d * omega + tb84 * omegad;
       vxb -= tb84;
       vxbd -= tb84d;
-      speedb -= tb84 * kappa;
-      speedbd -= tb84d * kappa + tb84 * kappad;
-      yb += speedb;
-      ybd += speedbd;
+      speed2b -= tb84 * kappa;
+      speed2bd -= tb84d * kappa + tb84 * kappad;
+      yb += speed2b;
+      ybd += speed2bd;
       /* |v|; less than low gives way to (low + v^2 / low) / 2, which is not 0 at rest */
       if (MAGGI_RE(vx) > MAGGI_RE(p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_VXLOW])) {
         vxb += yb;

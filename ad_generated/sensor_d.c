@@ -21,9 +21,13 @@ void maggi_sensors_d(const maggi_topo *t, const double p[restrict t->np],
                      const double Za[restrict t->nbody + 1][6],
                      const double Zad[restrict t->nbody + 1][6],
                      const double ra[restrict t->npoint][3],
-                     const double rad[restrict t->npoint][3], const double lambda[restrict t->nrow],
-                     const double lambdad[restrict t->nrow], double s[restrict t->nsensor][3],
-                     double sd[restrict t->nsensor][3])
+                     const double rad[restrict t->npoint][3],
+                     const double driver[restrict t->ndriver][4],
+                     const double driverd[restrict t->ndriver][4],
+                     const double speed[restrict t->nspeed][3],
+                     const double speedd[restrict t->nspeed][3],
+                     const double lambda[restrict t->nrow], const double lambdad[restrict t->nrow],
+                     double s[restrict t->nsensor][3], double sd[restrict t->nsensor][3])
 {
   int a, a4, a4_2, a4_3, b, b2, b2_2, i, j, k, k3, n2;
   double A_j0, A_j0_2, A_j0_2d, A_j0_3, A_j0_3d, A_j0_4, A_j0_4d, A_j0d, A_j3, A_j3_2, A_j3_2d,
@@ -55,16 +59,16 @@ void maggi_sensors_d(const maggi_topo *t, const double p[restrict t->np],
       ratio2, ratio2d, ratiod, re, red, rhov, rhovd, roll, rolld, rolling0d, rolling1d, rolling2d,
       rolling3d, rolling4d, rolling5d, rv_k0, rv_k0_2, rv_k0_2d, rv_k0_3, rv_k0_3d, rv_k0d, rv_k1,
       rv_k1_2, rv_k1_2d, rv_k1_3, rv_k1_3d, rv_k1d, rv_k2, rv_k2d, s2, s2d, s2inv, s3, s3d, s4, s4d,
-      shift, shiftd, shy, shyd, side, slip0d, slip1, slip1d, slip2d, speed, speed2, speed2d, speedd,
-      speedinv, stiff, stiff2, stiff2d, stiff2inv, stiff3, stiff3d, stiff4, stiff4d, stiffd, sumd,
-      svx, svxd, svy, svyd, t10, t100, t100d, t100inv, t101, t101d, t102, t102d, t103, t103d, t104,
-      t104d, t105, t105d, t106, t106d, t107, t107d, t107inv, t108, t108d, t109, t109d, t10d, t11,
-      t110, t110d, t111, t111d, t112, t112d, t11d, t11inv, t12, t12d, t13d, t14, t14d, t14inv, t15,
-      t15d, t16, t16d, t17, t17d, t18, t18d, t19, t19d, t2, t20, t20d, t20inv, t21, t21d, t22, t22d,
-      t23, t23d, t24, t24d, t25, t25d, t26, t26d, t26inv, t27, t27d, t28, t28d, t29, t29d, t2d,
-      t2inv, t3, t30, t30d, t31, t31d, t32, t32d, t33, t33d, t34, t34d, t35, t35d, t36, t36d, t37,
-      t37d, t38, t38d, t39, t39d, t3d, t4, t40, t40d, t41, t41d, t41inv, t42, t42d, t43, t43d, t44,
-      t44d, t45, t45d, t46, t46d, t47, t47d, t47inv, t48, t48d, t48inv, t49, t49d, t49inv, t4d,
+      shift, shiftd, shy, shyd, side, slip0d, slip1, slip1d, slip2d, speed2, speed2d, speed2inv,
+      speed3, speed3d, stiff, stiff2, stiff2d, stiff2inv, stiff3, stiff3d, stiff4, stiff4d, stiffd,
+      sumd, svx, svxd, svy, svyd, t10, t100, t100d, t100inv, t101, t101d, t102, t102d, t103, t103d,
+      t104, t104d, t105, t105d, t106, t106d, t107, t107d, t107inv, t108, t108d, t109, t109d, t10d,
+      t11, t110, t110d, t111, t111d, t112, t112d, t11d, t11inv, t12, t12d, t13d, t14, t14d, t14inv,
+      t15, t15d, t16, t16d, t17, t17d, t18, t18d, t19, t19d, t2, t20, t20d, t20inv, t21, t21d, t22,
+      t22d, t23, t23d, t24, t24d, t25, t25d, t26, t26d, t26inv, t27, t27d, t28, t28d, t29, t29d,
+      t2d, t2inv, t3, t30, t30d, t31, t31d, t32, t32d, t33, t33d, t34, t34d, t35, t35d, t36, t36d,
+      t37, t37d, t38, t38d, t39, t39d, t3d, t4, t40, t40d, t41, t41d, t41inv, t42, t42d, t43, t43d,
+      t44, t44d, t45, t45d, t46, t46d, t47, t47d, t47inv, t48, t48d, t48inv, t49, t49d, t49inv, t4d,
       t4inv, t5, t50, t50d, t51, t51d, t51inv, t52, t52d, t53, t53d, t54, t54d, t55, t55d, t56,
       t56d, t57, t57d, t58, t58d, t59, t59d, t59inv, t5d, t6, t60, t60d, t61, t61d, t62, t62d,
       t62inv, t63, t63d, t64, t64d, t65, t65d, t66, t66d, t67, t67d, t68, t68d, t69, t69d, t6d,
@@ -85,6 +89,8 @@ void maggi_sensors_d(const maggi_topo *t, const double p[restrict t->np],
   (void)origin;
   (void)x;
   (void)Za;
+  (void)driver;
+  (void)speed;
   (void)lambda;
   for (i = 0; i < t->nsensor; ++i) {
     j = t->sensorbody[i];
@@ -447,6 +453,14 @@ void maggi_sensors_d(const maggi_topo *t, const double p[restrict t->np],
       sd[i][0] = z0_3d;
       sd[i][1] = z1_3d;
       sd[i][2] = lambdad[t->primrow[n2]];
+    } else if (t->sensorkind[i] == MAGGI_SENSOR_SPEED) {
+      sd[i][0] = speedd[n2][0];
+      sd[i][1] = speedd[n2][1];
+      sd[i][2] = speedd[n2][2];
+    } else if (t->sensorkind[i] == MAGGI_SENSOR_DRIVER) {
+      sd[i][0] = driverd[n2][0];
+      sd[i][1] = driverd[n2][1];
+      sd[i][2] = driverd[n2][2];
     } else {
       a4_3 = t->wheelpoint[n2];
       b2_2 = t->wheelroad[n2];
@@ -691,14 +705,14 @@ void maggi_sensors_d(const maggi_topo *t, const double p[restrict t->np],
         y = 0.5 * (p4 + t38);
         yd = 0.5 * (p4d + t38d);
       }
-      speed = y;
-      speedd = yd;
-      kappa = (omega * re - vx) / speed;
-      speedinv = 1.0 / speed;
-      kappad = (omegad * re + omega * red - vxd - kappa * speedd) * speedinv;
-      a2 = (v20 * L0 + v21 * L1 + v22 * L2) / speed;
+      speed2 = y;
+      speed2d = yd;
+      kappa = (omega * re - vx) / speed2;
+      speed2inv = 1.0 / speed2;
+      kappad = (omegad * re + omega * red - vxd - kappa * speed2d) * speed2inv;
+      a2 = (v20 * L0 + v21 * L1 + v22 * L2) / speed2;
       a2d = (v20d * L0 + v20 * L0d + (v21d * L1 + v21 * L1d) + (v22d * L2 + v22 * L2d) - a2 *
-          speedd) * speedinv;
+          speed2d) * speed2inv;
       gamma = atan2(z21, z22);
       c30 = z22 / (z22 * z22 + z21 * z21);
       c31 = -(z21 / (z22 * z22 + z21 * z21));
@@ -1513,9 +1527,9 @@ void maggi_sensors_d(const maggi_topo *t, const double p[restrict t->np],
           t110d = (one4d - t110 * pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LOW_SPEED]) * inv2;
           way = tanh(t110);
           wayd = (1.0 - way * way) * t110d;
-          speed2 = one4 / p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LONGVL];
+          speed3 = one4 / p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LONGVL];
           inv3 = 1.0 / p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LONGVL];
-          speed2d = (one4d - speed2 * pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LONGVL]) * inv3;
+          speed3d = (one4d - speed3 * pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LONGVL]) * inv3;
           force0d = fxd;
           force1d = fyd;
           force2d = fz2d;
@@ -1538,21 +1552,21 @@ void maggi_sensors_d(const maggi_topo *t, const double p[restrict t->np],
               p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY2] * fxd - t112 * fz0_2d) * fz0_2inv;
           force4d = (((-(wayd * r0) - way * r0d) * fz2 + -way * r0 * fz2d) *
               (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY1] + t112 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * way * speed2 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2 * speed2 * speed2 * speed2)
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * way * speed3 +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed3 * speed3 * speed3 * speed3)
               + -way * r0 * fz2 * (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY1] + t112d +
               ((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * way +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * wayd) * speed2 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * way * speed2d) +
-              ((((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2d) * speed2 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2 * speed2d) * speed2 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2 * speed2 * speed2d) *
-              speed2 + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2 * speed2 * speed2
-              * speed2d))) * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMY] + -way * r0 * fz2 *
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * wayd) * speed3 +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * way * speed3d) +
+              ((((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed3 +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed3d) * speed3 +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed3 * speed3d) * speed3 +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed3 * speed3 * speed3d) *
+              speed3 + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed3 * speed3 * speed3
+              * speed3d))) * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMY] + -way * r0 * fz2 *
               (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY1] + t112 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * way * speed2 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2 * speed2 * speed2 * speed2)
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * way * speed3 +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed3 * speed3 * speed3 * speed3)
               * pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMY];
           force5d = -(z30d * (fy - g31)) - z30 * (fyd - g31d) + z31d + (s3d * fx + s3 * fxd);
           rolling0d = force0d;

@@ -24,6 +24,10 @@ void maggi_sensors_dv(const maggi_topo *t, const double p[restrict t->np],
                       const double Zad[restrict t->nbody + 1][6][MAGGI_NDIR],
                       const double ra[restrict t->npoint][3],
                       const double rad[restrict t->npoint][3][MAGGI_NDIR],
+                      const double driver[restrict t->ndriver][4],
+                      const double driverd[restrict t->ndriver][4][MAGGI_NDIR],
+                      const double speed[restrict t->nspeed][3],
+                      const double speedd[restrict t->nspeed][3][MAGGI_NDIR],
                       const double lambda[restrict t->nrow],
                       const double lambdad[restrict t->nrow][MAGGI_NDIR],
                       double s[restrict t->nsensor][3],
@@ -45,7 +49,7 @@ void maggi_sensors_dv(const maggi_topo *t, const double p[restrict t->np],
       p10inv, p2, p2inv, p3, p4, p4inv, p5, p6, p7, p8, p9, p_b2, p_b2_2, p_b2_2inv, p_b2_3, p_b2_4,
       p_b2_5, p_b2_5inv, p_b2_6, p_i, p_i1, p_i2, p_i3, p_k34, p_k35, r0, r2, r2inv, r3, ratio,
       ratio2, re, rhov, roll, rv_k0, rv_k0_2, rv_k0_3, rv_k1, rv_k1_2, rv_k1_3, rv_k2, s2, s2inv,
-      s3, s4, shift, shy, side, slip1, speed, speed2, speedinv, stiff, stiff2, stiff2inv, stiff3,
+      s3, s4, shift, shy, side, slip1, speed2, speed2inv, speed3, stiff, stiff2, stiff2inv, stiff3,
       stiff4, svx, svy, t10, t100, t100inv, t101, t102, t103, t104, t105, t106, t107, t107inv, t108,
       t109, t11, t110, t111, t112, t11inv, t12, t14, t14inv, t15, t16, t17, t18, t19, t2, t20,
       t20inv, t21, t22, t23, t24, t25, t26, t26inv, t27, t28, t29, t2inv, t3, t30, t31, t32, t33,
@@ -86,6 +90,8 @@ void maggi_sensors_dv(const maggi_topo *t, const double p[restrict t->np],
   (void)origin;
   (void)x;
   (void)Za;
+  (void)driver;
+  (void)speed;
   (void)lambda;
   (void)nbdirs;
   for (i = 0; i < t->nsensor; ++i) {
@@ -581,6 +587,20 @@ void maggi_sensors_dv(const maggi_topo *t, const double p[restrict t->np],
         sd[i][1][nd] = z1_3d;
         sd[i][2][nd] = lambdad[t->primrow[n2]][nd];
       }
+    } else if (t->sensorkind[i] == MAGGI_SENSOR_SPEED) {
+#pragma omp simd
+      for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+        sd[i][0][nd] = speedd[n2][0][nd];
+        sd[i][1][nd] = speedd[n2][1][nd];
+        sd[i][2][nd] = speedd[n2][2][nd];
+      }
+    } else if (t->sensorkind[i] == MAGGI_SENSOR_DRIVER) {
+#pragma omp simd
+      for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+        sd[i][0][nd] = driverd[n2][0][nd];
+        sd[i][1][nd] = driverd[n2][1][nd];
+        sd[i][2][nd] = driverd[n2][2][nd];
+      }
     } else {
       a4_3 = t->wheelpoint[n2];
       b2_2 = t->wheelroad[n2];
@@ -878,21 +898,21 @@ void maggi_sensors_dv(const maggi_topo *t, const double p[restrict t->np],
           yd[nd] = 0.5 * (p4d + t38d);
         }
       }
-      speed = y;
-      kappa = (omega * re - vx) / speed;
-      speedinv = 1.0 / speed;
-      a2 = (v20 * L0 + v21 * L1 + v22 * L2) / speed;
+      speed2 = y;
+      kappa = (omega * re - vx) / speed2;
+      speed2inv = 1.0 / speed2;
+      a2 = (v20 * L0 + v21 * L1 + v22 * L2) / speed2;
       gamma = atan2(z21, z22);
       c30 = z22 / (z22 * z22 + z21 * z21);
       c31 = -(z21 / (z22 * z22 + z21 * z21));
 #pragma omp simd
       for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-        double speedd;
+        double speed2d;
 
-        speedd = yd[nd];
-        kappad[nd] = (omegad[nd] * re + omega * red[nd] - vxd[nd] - kappa * speedd) * speedinv;
+        speed2d = yd[nd];
+        kappad[nd] = (omegad[nd] * re + omega * red[nd] - vxd[nd] - kappa * speed2d) * speed2inv;
         a2d[nd] = (v20d[nd] * L0 + v20 * L0d[nd] + (v21d[nd] * L1 + v21 * L1d[nd]) + (v22d[nd] * L2
-            + v22 * L2d[nd]) - a2 * speedd) * speedinv;
+            + v22 * L2d[nd]) - a2 * speed2d) * speed2inv;
         gammad[nd] = c30 * z21d[nd] + c31 * z22d[nd];
       }
       if (MAGGI_RE(fz) > 0.0 && MAGGI_RE(z20) < MAGGI_RE(p[t->tyreadr[t->wheeltyre[n2]] +
@@ -1776,14 +1796,14 @@ void maggi_sensors_dv(const maggi_topo *t, const double p[restrict t->np],
           t110 = one4 / p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LOW_SPEED];
           inv2 = 1.0 / p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LOW_SPEED];
           way = tanh(t110);
-          speed2 = one4 / p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LONGVL];
+          speed3 = one4 / p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LONGVL];
           inv3 = 1.0 / p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LONGVL];
           t111 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSX3] * fy / fz0_2;
           t112 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY2] * fx / fz0_2;
 #pragma omp simd
           for (nd = 0; nd < MAGGI_NDIR; ++nd) {
             double brd, cad, drd, etd, force0d, force1d, force2d, force3d, force4d, force5d, p10d,
-                s3d, speed2d, t100d, t101d, t102d, t103d, t104d, t105d, t106d, t107d, t108d, t109d,
+                s3d, speed3d, t100d, t101d, t102d, t103d, t104d, t105d, t106d, t107d, t108d, t109d,
                 t110d, t111d, t112d, t98d, t99d, wayd, x9d, y18d, z30d, z31d;
 
             etd = y17d[nd];
@@ -1854,7 +1874,7 @@ void maggi_sensors_dv(const maggi_topo *t, const double p[restrict t->np],
             t110d = (one4d[nd] - t110 * pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LOW_SPEED][nd])
                 * inv2;
             wayd = (1.0 - way * way) * t110d;
-            speed2d = (one4d[nd] - speed2 * pd[t->tyreadr[t->wheeltyre[n2]] +
+            speed3d = (one4d[nd] - speed3 * pd[t->tyreadr[t->wheeltyre[n2]] +
                 MAGGI_TYRE_LONGVL][nd]) * inv3;
             force0d = fxd[nd];
             force1d = fyd[nd];
@@ -1879,22 +1899,22 @@ void maggi_sensors_dv(const maggi_topo *t, const double p[restrict t->np],
                 fz0_2inv;
             force4d = (((-(wayd * r0) - way * r0d[nd]) * fz2 + -way * r0 * fz2d[nd]) *
                 (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY1] + t112 +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * way * speed2 +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2 * speed2 * speed2 *
-                speed2) + -way * r0 * fz2 * (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY1][nd]
+                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * way * speed3 +
+                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed3 * speed3 * speed3 *
+                speed3) + -way * r0 * fz2 * (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY1][nd]
                 + t112d + ((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3][nd] * way +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * wayd) * speed2 +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * way * speed2d) +
-                ((((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4][nd] * speed2 +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2d) * speed2 +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2 * speed2d) * speed2 +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2 * speed2 * speed2d) *
-                speed2 + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2 * speed2 *
-                speed2 * speed2d))) * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMY] + -way * r0 *
+                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * wayd) * speed3 +
+                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * way * speed3d) +
+                ((((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4][nd] * speed3 +
+                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed3d) * speed3 +
+                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed3 * speed3d) * speed3 +
+                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed3 * speed3 * speed3d) *
+                speed3 + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed3 * speed3 *
+                speed3 * speed3d))) * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMY] + -way * r0 *
                 fz2 * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY1] + t112 +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * way * speed2 +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2 * speed2 * speed2 *
-                speed2) * pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMY][nd];
+                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * way * speed3 +
+                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed3 * speed3 * speed3 *
+                speed3) * pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMY][nd];
             force5d = -(z30d * (fy - g31)) - z30 * (fyd[nd] - g31d[nd]) + z31d + (s3d * fx + s3 *
                 fxd[nd]);
             rolling0d[nd] = force0d;

@@ -16,6 +16,7 @@
   X(point0, npoint, 3, "points from the joint point of their body [m]")                            \
   X(dir0, ndir, 3, "unit vectors, initial")                                                        \
   X(spline0, nspline, 3, "splines: second derivatives and elimination")                            \
+  X(path0, npath0, 8, "paths of drivers: splines by points")                                       \
   /* by maggi_evaluate */                                                                          \
   X(fun, nfun, 3, "functions of time: value, first and second derivative")                         \
   X(turn, nbody, 2, "sine and cosine of the angle of a revolute joint")                            \
@@ -35,6 +36,7 @@
   X(IS, nbody1, 10, "the same of the whole subtree")                                               \
   X(F, nbody1, 6, "inertia forces at P, with a minus")                                             \
   X(Q, nbody1, 6, "forces of elements at P")                                                       \
+  X(driver, ndriver, 4, "drivers: lateral error, place on the path, demand, speed")                \
   X(speed, nspeed, 3, "controllers of speed: error, torque, speed")                                \
   X(FS, nbody1, 6, "F + Q of the whole subtree")                                                   \
   X(Fb, nq, 6, "IS b")                                                                             \

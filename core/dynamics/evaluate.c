@@ -16,6 +16,7 @@ void maggi_constants(maggi_data *d)
   maggi_inertia_constants(t, d->p, d->body0);
   maggi_point_constants(t, d->p, d->origin, d->point0, d->dir0, d->prim0, d->spring0);
   maggi_spline_constants(t, d->p, d->spline0);
+  maggi_path_constants(t, d->p, d->path0);
 }
 
 void maggi_evaluate_positions(maggi_data *d, double time)
@@ -72,7 +73,8 @@ static void accelerate(maggi_data *d)
   }
   maggi_element_forces(t, d->p, ARRAY(d->fun), d->spring0, d->q, d->v, ARRAY(d->A), ARRAY(d->Z),
                        ARRAY(d->r), ARRAY(d->rv), d->Q, d->tau, d->power);
-  maggi_control_forces(t, d->p, ARRAY(d->fun), d->v, ARRAY(d->rv), d->speed, d->tau, d->power);
+  maggi_control_forces(t, d->p, ARRAY(d->fun), ARRAY(d->path0), d->q, d->v, ARRAY(d->r),
+                       ARRAY(d->rv), d->driver, d->speed, d->tau, d->power);
   maggi_body_inertias(t, ARRAY(d->body0), ARRAY(d->A), ARRAY(d->x), d->I);
   maggi_inertia_forces(t, ARRAY(d->I), ARRAY(d->Z), Zb, d->F);
   if (t->nrod > 0) {
@@ -126,7 +128,8 @@ void maggi_evaluate_given(maggi_data *d, double time)
   maggi_point_velocities(t, 0, t->npointdyn, ARRAY(d->r), ARRAY(d->Z), d->rv);
   maggi_element_forces(t, d->p, ARRAY(d->fun), d->spring0, d->q, d->v, ARRAY(d->A), ARRAY(d->Z),
                        ARRAY(d->r), ARRAY(d->rv), d->Q, d->tau, d->power);
-  maggi_control_forces(t, d->p, ARRAY(d->fun), d->v, ARRAY(d->rv), d->speed, d->tau, d->power);
+  maggi_control_forces(t, d->p, ARRAY(d->fun), ARRAY(d->path0), d->q, d->v, ARRAY(d->r),
+                       ARRAY(d->rv), d->driver, d->speed, d->tau, d->power);
   maggi_body_inertias(t, ARRAY(d->body0), ARRAY(d->A), ARRAY(d->x), d->I);
   d->fresh = MAGGI_STALE;
 }
@@ -181,7 +184,8 @@ static void sense(maggi_data *d)
   maggi_point_accelerations(t, t->npointdyn, t->npoint, ARRAY(d->r), ARRAY(d->rv), ARRAY(d->Z),
                             ARRAY(d->Za), d->ra);
   maggi_sensors(t, d->p, d->origin, d->spring0, d->q, d->v, ARRAY(d->A), ARRAY(d->x), ARRAY(d->r),
-                ARRAY(d->Z), ARRAY(d->rv), ARRAY(d->Za), ARRAY(d->ra), d->lambda, d->sensor);
+                ARRAY(d->Z), ARRAY(d->rv), ARRAY(d->Za), ARRAY(d->ra), ARRAY(d->driver),
+                ARRAY(d->speed), d->lambda, d->sensor);
 }
 
 void maggi_results(maggi_data *d)

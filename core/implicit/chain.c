@@ -28,7 +28,8 @@ static void move(maggi_data *d, double time)
   maggi_point_velocities(t, 0, t->npointdyn, ARRAY(d->r), ARRAY(d->Z), d->rv);
   maggi_element_forces(t, d->p, ARRAY(d->fun), d->spring0, d->q, d->v, ARRAY(d->A), ARRAY(d->Z),
                        ARRAY(d->r), ARRAY(d->rv), d->Q, d->tau, d->power);
-  maggi_control_forces(t, d->p, ARRAY(d->fun), d->v, ARRAY(d->rv), d->speed, d->tau, d->power);
+  maggi_control_forces(t, d->p, ARRAY(d->fun), ARRAY(d->path0), d->q, d->v, ARRAY(d->r),
+                       ARRAY(d->rv), d->driver, d->speed, d->tau, d->power);
   maggi_body_inertias(t, ARRAY(d->body0), ARRAY(d->A), ARRAY(d->x), d->I);
 }
 

@@ -58,9 +58,17 @@ static void add_controllers(entries *e)
   const maggi_topo *t = e->t;
   int i, k, body;
 
+  for (i = 0; i < t->ndriver; ++i)
+    for (body = t->pointbody[t->driverpoint[i]]; body != t->nbody; body = t->parent[body])
+      if (t->qid[body] >= 0) add(e, t->driverq[i], t->qid[body]);
   for (i = 0; i < t->nspeed; ++i)
     for (k = t->speedqadr[i]; k < t->speedqadr[i] + t->speedqnum[i]; ++k)
       for (body = t->pointbody[t->speedpoint[i]]; body != t->nbody; body = t->parent[body])
+        if (t->qid[body] >= 0) add(e, t->speedq[k], t->qid[body]);
+  for (i = 0; i < t->nspeed; ++i)
+    for (k = t->speedqadr[i]; t->speeddriver[i] >= 0 && k < t->speedqadr[i] + t->speedqnum[i]; ++k)
+      for (body = t->pointbody[t->driverpoint[t->speeddriver[i]]]; body != t->nbody;
+           body = t->parent[body])
         if (t->qid[body] >= 0) add(e, t->speedq[k], t->qid[body]);
 }
 

@@ -8,7 +8,8 @@
  *   loads          i moves the body that takes the reaction and j the one that is loaded, relative
  *                  to the lowest body that carries both; not of torques in global axes, which
  *                  follow no body
- *   controllers    j moves the point whose speed they keep, i is a coordinate on which they act
+ *   controllers    j moves the point of a controller of speed or of its driver, i is a coordinate on
+ *                  which it acts; likewise drivers
  *   springs on two coordinates
  *                  i is one of them and j the other
  *

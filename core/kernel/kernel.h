@@ -163,9 +163,17 @@ void maggi_element_forces(const maggi_topo *t, const double p[t->np], const doub
                           const double rv[t->npoint][3], double Q[t->nbody + 1][6],
                           double tau[t->nq], double power[1]);
 
-/* control.c: controllers of speed; adds to tau and power */
+/* driver.c: splines of paths; a driver */
+void maggi_path_constants(const maggi_topo *t, const double p[t->np], double path0[t->npath0][8]);
+void maggi_driver(int adr, int pathadr, int withspeeds, int n, int row, int np, const double p[np],
+                  int npath, const double path0[npath][8], const double r[3], const double v[3],
+                  double q, double qv, double driver[4], double torque[1]);
+
+/* control.c: drivers and controllers of speed; adds to tau and power */
 void maggi_control_forces(const maggi_topo *t, const double p[t->np], const double fun[t->nfun][3],
-                          const double v[t->nq], const double rv[t->npoint][3],
+                          const double path0[t->npath0][8], const double q[t->nq],
+                          const double v[t->nq], const double r[t->npoint][3],
+                          const double rv[t->npoint][3], double driver[t->ndriver][4],
                           double speed[t->nspeed][3], double tau[t->nq], double power[1]);
 
 /* mass.c: mass matrix, its reduction, right-hand side */
@@ -218,7 +226,8 @@ void maggi_sensors(const maggi_topo *t, const double p[t->np], const double orig
                    const double A[t->nbody + 1][9], const double x[t->nbody + 1][3],
                    const double r[t->npoint][3], const double Z[t->nbody + 1][6],
                    const double rv[t->npoint][3], const double Za[t->nbody + 1][6],
-                   const double ra[t->npoint][3], const double lambda[t->nrow],
+                   const double ra[t->npoint][3], const double driver[t->ndriver][4],
+                   const double speed[t->nspeed][3], const double lambda[t->nrow],
                    double s[t->nsensor][3]);
 
 /* filter.c: frequency weightings of columns of sensors */

@@ -64,7 +64,8 @@ void maggi_sensors(const maggi_topo *t, const double p[t->np], const double orig
                    const double A[t->nbody + 1][9], const double x[t->nbody + 1][3],
                    const double r[t->npoint][3], const double Z[t->nbody + 1][6],
                    const double rv[t->npoint][3], const double Za[t->nbody + 1][6],
-                   const double ra[t->npoint][3], const double lambda[t->nrow],
+                   const double ra[t->npoint][3], const double driver[t->ndriver][4],
+                   const double speed[t->nspeed][3], const double lambda[t->nrow],
                    double s[t->nsensor][3])
 {
   int i, j, k, n, a, b;
@@ -141,6 +142,14 @@ void maggi_sensors(const maggi_topo *t, const double p[t->np], const double orig
       s[i][0] = z[0];
       s[i][1] = z[1];
       s[i][2] = lambda[t->primrow[n]];
+    } else if (t->sensorkind[i] == MAGGI_SENSOR_SPEED) {
+      s[i][0] = speed[n][0];
+      s[i][1] = speed[n][1];
+      s[i][2] = speed[n][2];
+    } else if (t->sensorkind[i] == MAGGI_SENSOR_DRIVER) {
+      s[i][0] = driver[n][0];
+      s[i][1] = driver[n][1];
+      s[i][2] = driver[n][2];
     } else {
       a = t->wheelpoint[n];
       b = t->wheelroad[n];

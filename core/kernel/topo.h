@@ -53,6 +53,27 @@ enum {
 }; /* then c1..c4 v11 v22 */
 enum { MAGGI_JSPRING_K, MAGGI_JSPRING_C, MAGGI_JSPRING_REST, MAGGI_JSPRING_PRELOAD };
 enum { MAGGI_DRAG_RHO, MAGGI_DRAG_C, MAGGI_DRAG_AREA, MAGGI_DRAG_LOW, MAGGI_DRAG_WIND };
+enum {
+  MAGGI_DRIVER_PREVIEW,
+  MAGGI_DRIVER_GAIN,
+  MAGGI_DRIVER_FEEDFORWARD,
+  MAGGI_DRIVER_LIMIT,
+  MAGGI_DRIVER_STIFFNESS,
+  MAGGI_DRIVER_DAMPING
+};
+
+/* columns of paths: length of the polyline; elimination; second derivatives of x, y and speed, and what
+ * their elimination needs */
+enum {
+  MAGGI_PATH_S,
+  MAGGI_PATH_W,
+  MAGGI_PATH_X,
+  MAGGI_PATH_XE,
+  MAGGI_PATH_Y,
+  MAGGI_PATH_YE,
+  MAGGI_PATH_V,
+  MAGGI_PATH_VE
+};
 enum { MAGGI_SPEED_TARGET, MAGGI_SPEED_GAIN, MAGGI_SPEED_TORQUE, MAGGI_SPEED_LOW };
 
 /* what sensors are made of: accelerations, multipliers of loops */
@@ -81,6 +102,8 @@ enum { MAGGI_NEED_ACCELERATION = 1, MAGGI_NEED_MULTIPLIER = 2 };
   X(nforce, "loads")                                                                               \
   X(nspeed, "controllers of speed")                                                                \
   X(nspeedq, "coordinates on which they act")                                                      \
+  X(ndriver, "drivers")                                                                            \
+  X(npath0, "points of all their paths")                                                           \
   X(ntyre, "tyres: sets of numbers")                                                               \
   X(nroad, "roads")                                                                                \
   X(nwheel, "wheels")                                                                              \
@@ -158,6 +181,7 @@ enum { MAGGI_NEED_ACCELERATION = 1, MAGGI_NEED_MULTIPLIER = 2 };
   X(forcefun, nforce, "function, -1: constant")                                                    \
   X(forceadr, nforce, "address of the value, or of the numbers of a drag")                         \
   X(speedlinear, nspeed, "1: torque in proportion to the error, 0: to its square")                 \
+  X(speeddriver, nspeed, "driver whose speed it keeps, -1 if none")                                \
   X(speedpoint, nspeed, "point")                                                                   \
   X(speedfun, nspeed, "function, factor on the target, -1: constant")                              \
   X(speedadr, nspeed, "address: MAGGI_SPEED_..")                                                   \
@@ -165,6 +189,15 @@ enum { MAGGI_NEED_ACCELERATION = 1, MAGGI_NEED_MULTIPLIER = 2 };
   X(speedqadr, nspeed, "first entry of speedq")                                                    \
   X(speedqnum, nspeed, "number of entries")                                                        \
   X(speedq, nspeedq, "coordinate")                                                                 \
+  X(driverpoint, ndriver, "point that is to follow the path")                                      \
+  X(driverorigin, ndriver, "point on the ground from which the path counts")                       \
+  X(driverq, ndriver, "coordinate that steers")                                                    \
+  X(driveradr, ndriver, "address: MAGGI_DRIVER_..")                                                \
+  X(driverpath, ndriver, "address of the points: all x, all y, all speeds")                        \
+  X(driverspeeds, ndriver, "1: with speeds")                                                       \
+  X(drivern, ndriver, "number of points")                                                          \
+  X(driverrow, ndriver, "first row of path0")                                                      \
+  X(driverheld, ndriver, "1: no torque")                                                           \
   X(tyreadr, ntyre, "address: MAGGI_TYRE_..")                                                      \
   X(roadkind, nroad, "maggi_road_type")                                                            \
   X(roadadr, nroad, "address of its numbers")                                                      \
@@ -192,7 +225,7 @@ enum { MAGGI_NEED_ACCELERATION = 1, MAGGI_NEED_MULTIPLIER = 2 };
   X(sensorterms, nsensor, "number of terms")                                                       \
   X(sensorneed, nsensor, "MAGGI_NEED_.., besides positions and velocities")                        \
   X(termsensor, nterm, "sensor, before the sum")                                                   \
-  X(termcolumn, nterm, "which of its numbers")\
+  X(termcolumn, nterm, "which of its numbers")                                                     \
   X(filtersensor, nfilter, "sensor")                                                               \
   X(filtercolumn, nfilter, "its column: 0, 1, 2")                                                  \
   X(filterstate, nfilter, "first state")                                                           \

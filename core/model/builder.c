@@ -118,6 +118,7 @@ static int own_force(maggi_builder *b, maggi_force_def *d)
   OWN(reaction);
   OWN(coordinate);
   OWN(function);
+  OWN(driver);
   if (d->ncoordinate > 0)
     d->coordinates = maggi_arena_texts(&b->arena, d->coordinates, d->ncoordinate);
   return d->ncoordinate <= 0 || d->coordinates;
@@ -144,6 +145,17 @@ static int own_wheel(maggi_builder *b, maggi_wheel_def *d)
   OWN(tyre);
   OWN(road);
   return 1;
+}
+
+static int own_driver(maggi_builder *b, maggi_driver_def *d)
+{
+  OWN(body);
+  OWN(coordinate);
+  d->x = maggi_arena_numbers(&b->arena, d->x, d->number);
+  d->y = maggi_arena_numbers(&b->arena, d->y, d->number);
+  if (!d->speeds) return d->x && d->y;
+  d->speeds = maggi_arena_numbers(&b->arena, d->speeds, d->number);
+  return d->x && d->y && d->speeds;
 }
 
 static int own_function(maggi_builder *b, maggi_function_def *d)
@@ -205,6 +217,7 @@ static void *grown(void *array, int n, int *capacity, size_t size)
 #define SCOPE_tyre(d)         ""
 #define SCOPE_road(d)         ""
 #define SCOPE_wheel(d)        ""
+#define SCOPE_driver(d)       ""
 #define SCOPE_function(d)     ""
 #define SCOPE_sensor(d)       ""
 #define SCOPE_filter(d)       ""
@@ -369,6 +382,11 @@ void maggi_wheel_def_init(maggi_wheel_def *def)
 {
   memset(def, 0, sizeof *def);
   def->axis[1] = 1.0;
+}
+
+void maggi_driver_def_init(maggi_driver_def *def)
+{
+  memset(def, 0, sizeof *def);
 }
 
 void maggi_function_def_init(maggi_function_def *def)

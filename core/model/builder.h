@@ -19,6 +19,7 @@ enum { MAGGI_MESSAGE_SIZE = 512 };
   X(tyre, tyres)                                                                                   \
   X(road, roads)                                                                                   \
   X(wheel, wheels)                                                                                 \
+  X(driver, drivers)                                                                               \
   X(function, functions)                                                                           \
   X(sensor, sensors)                                                                               \
   X(filter, filters)                                                                               \

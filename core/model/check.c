@@ -266,6 +266,25 @@ maggi_status maggi_check_wheel(maggi_builder *b, const maggi_wheel_def *d)
   return MAGGI_OK;
 }
 
+maggi_status maggi_check_driver(maggi_builder *b, const maggi_driver_def *d)
+{
+  int i;
+
+  REQUIRE(isfinite(d->preview) && isfinite(d->gain) && isfinite(d->feedforward) &&
+              isfinite(d->limit) && isfinite(d->stiffness) && isfinite(d->damping) &&
+              maggi_all_finite(d->point, 3) && maggi_all_finite(d->origin, 3),
+          "drivers", d->name, "a number is not finite");
+  REQUIRE(d->number >= 3 && d->x && d->y, "drivers", d->name,
+          "a path needs at least three points, not %d", d->number);
+  REQUIRE(maggi_all_finite(d->x, d->number) && maggi_all_finite(d->y, d->number) &&
+              (!d->speeds || maggi_all_finite(d->speeds, d->number)),
+          "drivers", d->name, "a point or a speed is not finite");
+  for (i = 1; i < d->number; ++i)
+    REQUIRE(hypot(d->x[i] - d->x[i - 1], d->y[i] - d->y[i - 1]) > 1e-6, "drivers", d->name,
+            "points %d and %d of the path coincide (%g, %g)", i, i + 1, d->x[i], d->y[i]);
+  return MAGGI_OK;
+}
+
 maggi_status maggi_check_function(maggi_builder *b, const maggi_function_def *d)
 {
   int i, n = d->number;

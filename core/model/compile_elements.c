@@ -293,6 +293,8 @@ maggi_status maggi_compile_elements(maggi_compile *c)
   for (i = 0; i < b->ntyre; ++i) add_tyre(c, &b->tyre[i]);
   for (i = 0; i < b->nroad; ++i) add_road(c, &b->road[i]);
   for (i = 0; i < b->nwheel && status == MAGGI_OK; ++i) status = add_wheel(c, &b->wheel[i]);
+  for (i = 0; i < b->ndriver && status == MAGGI_OK; ++i)
+    status = maggi_compile_driver(c, &b->driver[i]);
   t->ntyre = b->ntyre;
   t->nroad = b->nroad;
   t->nwheel = b->nwheel;

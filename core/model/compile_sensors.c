@@ -28,7 +28,9 @@ static const titles columns_of[MAGGI_SENSOR_TYPE_COUNT] = {
     [MAGGI_SENSOR_LEVEL_VELOCITY] = {{"x", "y", "z"}, {"m/s", "m/s", "m/s"}},
     [MAGGI_SENSOR_LEVEL_ACCELERATION] = {{"x", "y", "z"}, {"m/s^2", "m/s^2", "m/s^2"}},
     [MAGGI_SENSOR_BODY_ACCELERATION] = {{"x", "y", "z"}, {"m/s^2", "m/s^2", "m/s^2"}},
-    [MAGGI_SENSOR_COMBINATION] = {{"value"}, {"-"}}};
+    [MAGGI_SENSOR_COMBINATION] = {{"value"}, {"-"}},
+    [MAGGI_SENSOR_SPEED] = {{"error", "torque", "speed"}, {"m/s", "N m", "m/s"}},
+    [MAGGI_SENSOR_DRIVER] = {{"error", "distance", "demand"}, {"m", "m", "rad"}}};
 
 static const titles columns_of_angle = {{"value", "rate", "torque"}, {"rad", "rad/s", "N m"}};
 
@@ -65,6 +67,20 @@ static int need_of(maggi_sensor_type type)
   for (i = 0; i < (n) && d->element; ++i)                                                          \
     if (strcmp((list)[i].name, d->element) == 0) *element = i;
 
+/* among the forces */
+static void find_speed(const maggi_compile *c, const maggi_sensor_def *d, int *element)
+{
+  const maggi_force_def *f;
+  int i, n = 0;
+
+  for (i = 0; i < c->b->nforce && d->element; ++i) {
+    f = &c->b->force[i];
+    if (f->type != MAGGI_FORCE_SPEED && f->type != MAGGI_FORCE_SPEED_LINEAR) continue;
+    if (strcmp(f->name, d->element) == 0) *element = n;
+    ++n;
+  }
+}
+
 static maggi_status find_element(maggi_compile *c, const maggi_sensor_def *d, int *element)
 {
   const char *what = "rod";
@@ -77,6 +93,12 @@ static maggi_status find_element(maggi_compile *c, const maggi_sensor_def *d, in
   } else if (d->type == MAGGI_SENSOR_JOINT_SPRING) {
     what = "joint spring";
     FIND(c->b->joint_spring, c->b->njoint_spring, element)
+  } else if (d->type == MAGGI_SENSOR_DRIVER) {
+    what = "driver";
+    FIND(c->b->driver, c->b->ndriver, element)
+  } else if (d->type == MAGGI_SENSOR_SPEED) {
+    what = "controller of speed";
+    find_speed(c, d, element);
   } else if (d->type >= MAGGI_SENSOR_TYRE_SLIP) {
     what = "wheel";
     FIND(c->b->wheel, c->b->nwheel, element)

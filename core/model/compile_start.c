@@ -1,7 +1,7 @@
 /* How a simulation starts: coordinates held, wheels that roll, and the static twin of a model, whose
  * accelerations at rest vanish in equilibrium: the same parameters, bodies and elements under other
  * integers.  Functions are held, held coordinates are guided by their initial positions, wheels have
- * but their vertical springs. */
+ * but their vertical springs, controllers and drivers do nothing. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -15,7 +15,9 @@
   X(funadr)                                                                                        \
   X(funn)                                                                                          \
   X(funspline)                                                                                     \
-  X(funheld)
+  X(funheld)                                                                                       \
+  X(speedheld)                                                                                     \
+  X(driverheld)
 
 static maggi_status hold(maggi_compile *c, const char *name)
 {
@@ -122,12 +124,16 @@ maggi_status maggi_twin_create(maggi_model *m)
   t->funn = copy(m->topo.funn, t->nfun, m->nhold);
   t->funspline = copy(m->topo.funspline, t->nfun, m->nhold);
   t->funheld = copy(NULL, 0, t->nfun + m->nhold);
+  t->speedheld = copy(NULL, 0, t->nspeed);
+  t->driverheld = copy(NULL, 0, t->ndriver);
   m->twin = twin;
 #define X(name)                                                                                    \
   if (!t->name) return MAGGI_E_MEMORY;
   TWIN_LIST(X)
 #undef X
   for (i = 0; i < t->nfun; ++i) t->funheld[i] = 1;
+  for (i = 0; i < t->nspeed; ++i) t->speedheld[i] = 1;
+  for (i = 0; i < t->ndriver; ++i) t->driverheld[i] = 1;
   for (i = 0; i < m->nhold; ++i) hold_coordinate(twin, m->hold[i]);
   return MAGGI_OK;
 }

@@ -60,6 +60,7 @@ maggi_status maggi_load_force(const load_build *b, const load_force *force);
 maggi_status maggi_load_tyre(const load_build *b, const load_tyre *tyre);
 maggi_status maggi_load_road(const load_build *b, const load_road *road);
 maggi_status maggi_load_wheel(const load_build *b, const load_wheel *wheel);
+maggi_status maggi_load_driver(const load_build *b, const load_driver *driver);
 maggi_status maggi_load_function(const load_build *b, const load_function *f);
 maggi_status maggi_load_sensor(const load_build *b, const load_sensor *sensor);
 maggi_status maggi_load_filter(const load_build *b, const load_filter *f);

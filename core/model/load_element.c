@@ -148,20 +148,33 @@ maggi_status maggi_load_joint_spring(const load_build *b, const load_joint_sprin
 maggi_status maggi_load_force(const load_build *b, const load_force *force)
 {
   /* body, reaction, point, value; coordinate, effort; density, coefficient, area, low_speed, wind;
-   * coordinates, speed, gain, torque */
+   * coordinates, speed, gain, torque, driver */
   static const char *const rules[MAGGI_FORCE_TYPE_COUNT] = {
-      [MAGGI_FORCE_GLOBAL] = "rorr",           [MAGGI_FORCE_BODY] = "rorr",
-      [MAGGI_TORQUE_GLOBAL] = "ro-r",          [MAGGI_TORQUE_BODY] = "ro-r",
-      [MAGGI_FORCE_JOINT] = "----rr",          [MAGGI_FORCE_DRAG] = "ror---rrrro",
-      [MAGGI_FORCE_SPEED] = "r-r------r-rrrr", [MAGGI_FORCE_SPEED_LINEAR] = "r-r------r-rrrr"};
-  const load_key keys[] = {{KEY(force, body)},       {KEY(force, reaction)},
-                           {KEY(force, point)},      {KEY(force, value)},
-                           {KEY(force, coordinate)}, {KEY(force, effort)},
-                           {KEY(force, density)},    {KEY(force, coefficient)},
-                           {KEY(force, area)},       {KEY(force, low_speed)},
-                           {KEY(force, wind)},       {KEY(force, coordinates)},
-                           {KEY(force, speed)},      {KEY(force, gain)},
-                           {KEY(force, torque)},     {NULL, 0}};
+      [MAGGI_FORCE_GLOBAL] = "rorr",
+      [MAGGI_FORCE_BODY] = "rorr",
+      [MAGGI_TORQUE_GLOBAL] = "ro-r",
+      [MAGGI_TORQUE_BODY] = "ro-r",
+      [MAGGI_FORCE_JOINT] = "----rr",
+      [MAGGI_FORCE_DRAG] = "ror---rrrro",
+      [MAGGI_FORCE_SPEED] = "r-r------r-rorro",
+      [MAGGI_FORCE_SPEED_LINEAR] = "r-r------r-rorro"};
+  const load_key keys[] = {{KEY(force, body)},
+                           {KEY(force, reaction)},
+                           {KEY(force, point)},
+                           {KEY(force, value)},
+                           {KEY(force, coordinate)},
+                           {KEY(force, effort)},
+                           {KEY(force, density)},
+                           {KEY(force, coefficient)},
+                           {KEY(force, area)},
+                           {KEY(force, low_speed)},
+                           {KEY(force, wind)},
+                           {KEY(force, coordinates)},
+                           {KEY(force, speed)},
+                           {KEY(force, gain)},
+                           {KEY(force, torque)},
+                           {KEY(force, driver)},
+                           {NULL, 0}};
   maggi_force_def def;
   int type;
   maggi_status status;
@@ -184,12 +197,44 @@ maggi_status maggi_load_force(const load_build *b, const load_force *force)
   def.area = number_or_zero(force->area);
   def.low_speed = number_or_zero(force->low_speed);
   maggi_load_copy3(def.wind, force->wind);
+  if ((type == MAGGI_FORCE_SPEED || type == MAGGI_FORCE_SPEED_LINEAR) &&
+      !force->speed == !force->driver)
+    return maggi_load_fail_at(b, "", "either \"speed\" or \"driver\" is needed");
+  def.driver = force->driver;
   def.ncoordinate = (int)force->coordinates_count;
   def.coordinates = (const char *const *)force->coordinates;
   def.speed = number_or_zero(force->speed);
   def.gain = number_or_zero(force->gain);
   def.torque = number_or_zero(force->torque);
   return maggi_load_added(b, "", maggi_builder_force(b->builder, &def));
+}
+
+maggi_status maggi_load_driver(const load_build *b, const load_driver *driver)
+{
+  maggi_driver_def def;
+
+  maggi_driver_def_init(&def);
+  if (driver->x_count != driver->y_count)
+    return maggi_load_fail_at(b, ".y", "%u numbers for %u in x", driver->y_count, driver->x_count);
+  if (driver->speeds && driver->speeds_count != driver->x_count)
+    return maggi_load_fail_at(b, ".speeds", "%u numbers for %u points", driver->speeds_count,
+                              driver->x_count);
+  def.name = driver->name;
+  def.body = driver->body;
+  def.coordinate = driver->coordinate;
+  maggi_load_copy3(def.point, driver->point);
+  maggi_load_copy3(def.origin, driver->origin);
+  def.preview = driver->preview;
+  def.gain = driver->gain;
+  def.feedforward = driver->feedforward;
+  def.limit = driver->limit;
+  def.stiffness = driver->stiffness;
+  def.damping = driver->damping;
+  def.number = (int)driver->x_count;
+  def.x = driver->x;
+  def.y = driver->y;
+  def.speeds = driver->speeds;
+  return maggi_load_added(b, "", maggi_builder_driver(b->builder, &def));
 }
 
 /* ------------------------------------------------------------------------ functions and sensors */
@@ -275,7 +320,9 @@ maggi_status maggi_load_sensor(const load_build *b, const load_sensor *sensor)
       [MAGGI_SENSOR_LEVEL_VELOCITY] = "ro",
       [MAGGI_SENSOR_LEVEL_ACCELERATION] = "ro",
       [MAGGI_SENSOR_BODY_ACCELERATION] = "ro",
-      [MAGGI_SENSOR_COMBINATION] = "-----roo"};
+      [MAGGI_SENSOR_COMBINATION] = "-----roo",
+      [MAGGI_SENSOR_SPEED] = "--r",
+      [MAGGI_SENSOR_DRIVER] = "--r"};
   const load_key keys[] = {{KEY(sensor, body)},
                            {KEY(sensor, point)},
                            {KEY(sensor, element)},

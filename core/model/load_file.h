@@ -145,6 +145,7 @@ typedef struct load_force {
   char **coordinates;
   unsigned coordinates_count;
   double *speed, *gain, *torque;
+  char *driver;
 } load_force;
 
 typedef struct load_tyre {
@@ -171,6 +172,21 @@ typedef struct load_wheel {
   double point[3];
   double *axis;
 } load_wheel;
+
+typedef struct load_driver {
+  char *name;
+  char *body;
+  char *coordinate;
+  double point[3];
+  double *origin;
+  double preview, gain, feedforward, limit, stiffness, damping;
+  double *x;
+  unsigned x_count;
+  double *y;
+  unsigned y_count;
+  double *speeds;
+  unsigned speeds_count;
+} load_driver;
 
 typedef struct load_function {
   char *name;
@@ -295,6 +311,8 @@ typedef struct load_model {
   unsigned roads_count;
   load_wheel *wheels;
   unsigned wheels_count;
+  load_driver *drivers;
+  unsigned drivers_count;
   load_function *functions;
   unsigned functions_count;
   load_sensor *sensors;

@@ -138,6 +138,7 @@ static const cyaml_schema_field_t force_keys[] = {
     OPT_REAL(load_force, speed),
     OPT_REAL(load_force, gain),
     OPT_REAL(load_force, torque),
+    OPT_TEXT(load_force, driver),
     CYAML_FIELD_END};
 static const cyaml_schema_value_t force = {
     CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, load_force, force_keys)};
@@ -164,6 +165,24 @@ static const cyaml_schema_field_t wheel_keys[] = {
     VEC3(load_wheel, point), OPT_VEC3(load_wheel, axis), CYAML_FIELD_END};
 static const cyaml_schema_value_t wheel = {
     CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, load_wheel, wheel_keys)};
+
+static const cyaml_schema_field_t driver_keys[] = {TEXT(load_driver, name),
+                                                   TEXT(load_driver, body),
+                                                   TEXT(load_driver, coordinate),
+                                                   VEC3(load_driver, point),
+                                                   OPT_VEC3(load_driver, origin),
+                                                   REAL(load_driver, preview),
+                                                   REAL(load_driver, gain),
+                                                   ZERO(load_driver, feedforward),
+                                                   REAL(load_driver, limit),
+                                                   REAL(load_driver, stiffness),
+                                                   ZERO(load_driver, damping),
+                                                   LIST(load_driver, x, real, 1, ANY_NUMBER),
+                                                   LIST(load_driver, y, real, 1, ANY_NUMBER),
+                                                   LIST(load_driver, speeds, real, 1, ANY_NUMBER),
+                                                   CYAML_FIELD_END};
+static const cyaml_schema_value_t driver = {
+    CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, load_driver, driver_keys)};
 
 static const cyaml_schema_field_t function_keys[] = {
     TEXT(load_function, name),
@@ -275,6 +294,7 @@ static const cyaml_schema_field_t model_keys[] = {
     MANY(load_model, tyres, tyre),
     MANY(load_model, roads, road),
     MANY(load_model, wheels, wheel),
+    MANY(load_model, drivers, driver),
     MANY(load_model, functions, function),
     MANY(load_model, sensors, sensor),
     MANY(load_model, filters, filter),

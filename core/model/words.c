@@ -30,7 +30,9 @@ static const char *const sensor_words[] = {"position",
                                            "level_velocity",
                                            "level_acceleration",
                                            "body_acceleration",
-                                           "combination"};
+                                           "combination",
+                                           "speed_controller",
+                                           "driver"};
 static const char *const weighting_words[] = {"Wk", "Wd", "Wf", "Wc", "We", "Wj", "Wb", "Wg"};
 static const char *const road_words[] = {"flat", "sine"};
 static const char *const objective_words[] = {"integral",

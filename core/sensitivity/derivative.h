@@ -32,7 +32,8 @@
   X(dir0, t->ndir * 3)                                                                             \
   X(prim0, t->nprim)                                                                               \
   X(spring0, t->nspring)                                                                           \
-  X(spline0, t->nspline * 3)
+  X(spline0, t->nspline * 3)                                                                       \
+  X(path0, t->npath0 * 8)
 
 #define MAGGI_ACTIVE_LIST(X)                                                                       \
   X(fun, t->nfun * 3)                                                                              \
@@ -57,6 +58,7 @@
   X(I, t->nbody * 10)                                                                              \
   X(Q, (t->nbody + 1) * 6)                                                                         \
   X(speed, t->nspeed * 3)                                                                          \
+  X(driver, t->ndriver * 4)                                                                        \
   X(tau, t->nq)                                                                                    \
   X(lambda, t->nrow)                                                                               \
   X(Fr, (t->nbody + 1) * 6)                                                                        \

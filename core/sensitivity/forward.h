@@ -10,6 +10,7 @@ static inline void forward_constants(maggi_derivative *D, const maggi_companion 
   inertia_constants(D, s);
   point_constants(D, s);
   spline_constants(D, s);
+  path_constants(D, s);
 }
 
 static inline void zero(double *x)

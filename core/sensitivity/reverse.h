@@ -57,6 +57,7 @@ static inline void reverse_positions(maggi_derivative *D, const maggi_companion 
 
 static inline void reverse_constants(maggi_derivative *D, const maggi_companion *s)
 {
+  path_constants(D, s);
   spline_constants(D, s);
   point_constants(D, s);
   inertia_constants(D, s);

@@ -24,6 +24,7 @@ STAGE(joint_constants, WITH(p), d->origin, WITH(offset0), WITH(axis0))
 STAGE(inertia_constants, WITH(p), WITH(body0))
 STAGE(point_constants, WITH(p), d->origin, WITH(point0), WITH(dir0), WITH(prim0), WITH(spring0))
 STAGE(spline_constants, WITH(p), WITH(spline0))
+STAGE(path_constants, WITH(p), WITH(path0))
 
 /* positions */
 STAGE(functions, WITH(p), WITH(spline0), D->time, WITH(fun))
@@ -47,7 +48,8 @@ STAGE(loop_gamma, WITH(prim0), WITH(r), WITH(dir), WITH(rv), WITH(ra), WITH(Z), 
 /* forces */
 STAGE(element_forces, WITH(p), WITH(fun), WITH(spring0), WITH(q), WITH(v), WITH(A), WITH(Z),
       WITH(r), WITH(rv), WITH(Q), WITH(tau), D->power)
-STAGE(control_forces, WITH(p), WITH(fun), d->v, WITH(rv), WITH(speed), WITH(tau), D->power)
+STAGE(control_forces, WITH(p), WITH(fun), WITH(path0), WITH(q), WITH(v), WITH(r), WITH(rv),
+      WITH(driver), WITH(speed), WITH(tau), D->power)
 STAGE(body_inertias, WITH(body0), WITH(A), WITH(x), WITH(I))
 STAGE(inertia_forces, WITH(I), WITH(Z), WITH(Za), WITH(Fr))
 STAGE(rod_forces, WITH(p), WITH(r), WITH(ra), WITH(Fr))
@@ -65,7 +67,7 @@ CALL(sensor_velocities, point_velocities, t->npointdyn, t->npoint, WITH(r), WITH
 CALL(sensor_accelerations, point_accelerations, t->npointdyn, t->npoint, WITH(r), WITH(rv), WITH(Z),
      WITH(Za), WITH(ra))
 STAGE(sensors, WITH(p), d->origin, WITH(spring0), WITH(q), WITH(v), WITH(A), WITH(x), WITH(r),
-      WITH(Z), WITH(rv), WITH(Za), WITH(ra), WITH(lambda), WITH(sensor))
+      WITH(Z), WITH(rv), WITH(Za), WITH(ra), WITH(driver), WITH(speed), WITH(lambda), WITH(sensor))
 STAGE(filter_rates, WITH(p), WITH(sensor), WITH(y), WITH(yrate))
 STAGE(filter_outputs, WITH(p), WITH(y), WITH(weighted))
 STAGE(kinetic_energy, WITH(p), WITH(I), WITH(Z), WITH(rv), WITH(kinetic))

@@ -448,7 +448,7 @@ static void check_directions(const sample *s)
 }
 
 /* Random arguments in the topology of a model at rest: functions without rates, wheels without grip,
- * controllers without torque. */
+ * controllers and drivers without torque, the latter without speeds. */
 static void check_rest(const sample *s)
 {
   maggi_topo t = s->data->t;
@@ -458,14 +458,19 @@ static void check_rest(const sample *s)
   t.funheld = malloc(((size_t)t.nfun + 1) * sizeof(int));
   t.wheelgrip = calloc((size_t)t.nwheel + 1, sizeof(int));
   t.speedheld = malloc(((size_t)t.nspeed + 1) * sizeof(int));
-  if (!t.funheld || !t.wheelgrip || !t.speedheld) abort();
+  t.driverheld = malloc(((size_t)t.ndriver + 1) * sizeof(int));
+  t.driverspeeds = calloc((size_t)t.ndriver + 1, sizeof(int));
+  if (!t.funheld || !t.wheelgrip || !t.speedheld || !t.driverheld || !t.driverspeeds) abort();
   for (i = 0; i < t.nfun; ++i) t.funheld[i] = 1;
   for (i = 0; i < t.nspeed; ++i) t.speedheld[i] = 1;
+  for (i = 0; i < t.ndriver; ++i) t.driverheld[i] = 1;
   inputs_random(&in, &t, s->seed + 1);
   check_inputs(&in, s->seed, t.nwheel == 0);
   free(t.funheld);
   free(t.wheelgrip);
   free(t.speedheld);
+  free(t.driverheld);
+  free(t.driverspeeds);
 }
 
 /* Few models have wheels, of which the branches are many. */

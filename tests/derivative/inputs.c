@@ -102,6 +102,35 @@ static void random_tyre(inputs *in, double *p)
   p[MAGGI_TYRE_LOW_CAMBER] = mech_uniform(&in->random, 0.03, 0.3);
 }
 
+/* a path that bends little, of which the point ahead comes near to every piece and beyond the ends */
+static void random_driver(inputs *in, int i, double *p)
+{
+  const maggi_topo *t = in->t;
+  int n = t->drivern[i], k;
+  double *a = p + t->driveradr[i], *x = p + t->driverpath[i];
+
+  a[MAGGI_DRIVER_PREVIEW] = mech_uniform(&in->random, 0.1, 0.5);
+  a[MAGGI_DRIVER_LIMIT] = mech_uniform(&in->random, 0.5, 1.5);
+  for (k = 0; k < n; ++k) {
+    x[k] = 1.6 * (k + mech_uniform(&in->random, -0.2, 0.2)) / (n - 1) - 0.8;
+    x[n + k] = mech_uniform(&in->random, -0.1, 0.1) / (n * n);
+  }
+}
+
+static void random_paths(inputs *in, double *x)
+{
+  const maggi_topo *t = in->t;
+  double *row = x;
+  int i, k;
+
+  for (i = 0; i < t->ndriver; ++i) {
+    for (k = 0; k < t->drivern[i]; ++k, row += 8) {
+      fill(in, 8, -0.1, 0.1, row);
+      row[MAGGI_PATH_S] = 1.6 * (k + mech_uniform(&in->random, -0.2, 0.2)) / (t->drivern[i] - 1);
+    }
+  }
+}
+
 static void random_parameters(inputs *in, double *p)
 {
   const maggi_topo *t = in->t;
@@ -122,6 +151,7 @@ static void random_parameters(inputs *in, double *p)
     fill(in, 3, -0.2, 0.2, p + t->wheelaxis[i]);
     p[t->wheelaxis[i] + 1] = 1.0;
   }
+  for (i = 0; i < t->ndriver; ++i) random_driver(in, i, p);
   for (i = 0; i < t->nroad; ++i) {
     p[t->roadadr[i]] = mech_uniform(&in->random, -0.3, 0.3);
     if (t->roadkind[i] == MAGGI_ROAD_SINE)
@@ -231,6 +261,8 @@ static void random_argument(inputs *in, const char *name, int n, double *x)
     x[0] = random_time(in);
   else if (strcmp(name, "A") == 0)
     random_rotations(in, n, x);
+  else if (strcmp(name, "path0") == 0)
+    random_paths(in, x);
   else if (strcmp(name, "slip") == 0)
     random_slips(in, x);
   else if (strcmp(name, "prim0") == 0 || strcmp(name, "spring0") == 0)

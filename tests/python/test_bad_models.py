@@ -121,6 +121,26 @@ forces:
     area: 0.03
     low_speed: 0.001
     wind: [5, 0, 0]
+  - name: keep
+    type: speed_controller
+    body: coupler
+    point: [0, 1.2, -1]
+    coordinates: [crank, follower]
+    speed: 1
+    gain: 0.1
+    torque: 2
+    low_speed: 0.01
+drivers:
+  - name: pilot
+    body: coupler
+    point: [0, 1.2, -1]
+    coordinate: follower
+    preview: 0.1
+    gain: 0.2
+    limit: 0.4
+    stiffness: 1.5
+    x: [0, 7, 14]
+    y: [0, 8, 8]
 functions:
   - name: turn
     type: sine
@@ -305,7 +325,22 @@ ROWS = [
         "joint:\n      type: universal",
         '"velocities" has 3',
     ),
+    # drivers and controllers of speed
+    Row("no coordinates", "    coordinates: [crank, follower]\n", "", "- name: keep", '"coordinates" is missing'),
+    Row("unknown coordinate", "[crank, follower]\n    speed", "[crank, rocker]\n    speed", "coordinates: [crank", '"rocker"'),
+    Row("coordinate twice", "[crank, follower]\n    speed", "[crank, crank]\n    speed", "coordinates: [crank", "twice"),
+    Row("speed and driver", "speed: 1\n", "speed: 1\n    driver: pilot\n", "- name: keep", "either"),
+    Row("unknown driver", "speed: 1\n", "driver: nobody\n", "driver: nobody", '"nobody"'),
+    Row("driver without speeds", "speed: 1\n", "driver: pilot\n", "driver: pilot", "no speeds"),
+    Row("low_speed zero", "low_speed: 0.01", "low_speed: -2", "low_speed: -2", "positive"),
+    Row("two points", "x: [0, 7, 14]\n    y: [0, 8, 8]", "x: [0, 7]\n    y: [0, 8]", "- name: pilot", "three points"),
+    Row("points coincide", "x: [0, 7, 14]\n    y: [0, 8, 8]", "x: [0, 7, 7]\n    y: [0, 8, 8]", "- name: pilot", "coincide"),
+    Row("points of unequal number", "y: [0, 8, 8]", "y: [0, 8]", "y: [0, 8]", "2 numbers for 3"),
+    Row("speeds of unequal number", "y: [0, 8, 8]", "y: [0, 8, 8]\n    speeds: [5]", "speeds: [5]", "1 numbers for 3"),
+    Row("steers unknown", "coordinate: follower\n    preview", "coordinate: wheels\n    preview", "coordinate: wheels", '"wheels"'),
+    Row("limit zero", "limit: 0.4", "limit: -2", "limit: -2", "positive"),
     # loops, rods, springs
+    Row("axes of a plane", "type: spherical\n    body_a", "type: point_plane\n    axis_a: [1, 0, 0]\n    body_a", "name: tip", "normal"),
     Row("loop on unknown body", "body_b: follower", "body_b: rocker", "body_b: rocker", '"rocker"'),
     Row(
         "loop of a body with itself",

@@ -158,7 +158,8 @@ static int vanishing(const char *name)
   } known[] = {{"flyball-governor.yaml", 2},
                {"triple-pendulum-closed.yaml", 27},
                {"wheeled-frame.yaml", 7},
-               {"seat-shaker.yaml", 1}};
+               {"seat-shaker.yaml", 1},
+               {"path-follower.yaml", 23}};
   int i;
 
   for (i = 0; i < (int)(sizeof known / sizeof *known); ++i)

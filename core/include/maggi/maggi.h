@@ -286,7 +286,8 @@ typedef struct maggi_force_def {
   double wind[3];                               /* m/s */
   int ncoordinate;                              /* of MAGGI_FORCE_SPEED.., with low_speed: */
   const char *const *coordinates;               /* named as in maggi_joint_spring_def */
-  double speed;                                 /* m/s */
+  double speed;                                 /* m/s; or */
+  const char *driver;                           /* NULL, or the one whose speeds it keeps */
   double gain;                                  /* s^2/m^2, linear: s/m */
   double torque;                                /* N m, on a coordinate that shifts N */
 } maggi_force_def;
@@ -519,6 +520,36 @@ typedef struct maggi_function_def {
   const double *values;
 } maggi_function_def;
 
+/* A driver: a torque on the coordinate that steers, such that a point of a body follows a path.
+ *
+ *   P = r + preview v                 the point ahead, in the horizontal plane
+ *   error e                           of P from the path, positive where the path is to its left
+ *   demand = limit tanh((gain e + feedforward curvature) / limit)
+ *   torque = stiffness (demand - delta) - damping delta'
+ *
+ * The path is a natural cubic spline through at least three points (x, y), counted from `origin`, its
+ * parameter the length of the polyline up to a point; straight beyond its ends.  P is projected on it from
+ * the nearest point of the polyline on: where a path crosses itself or comes near to itself, on the part
+ * that is nearest; a path of several laps on any of them.  P must stay nearer than half the radius of curvature.
+ * `speeds`, one for each point, or NULL: what a controller of speed that names the driver keeps.
+ * Paths: drivers.NAME.preview, .gain, .feedforward, .limit, .stiffness, .damping, .point.x ..,
+ * .origin.x .., .x.1 .., .y.1 .., .speeds.1 ..
+ */
+typedef struct maggi_driver_def {
+  const char *name;
+  const char *body;
+  const char *coordinate; /* named as in maggi_joint_spring_def */
+  double point[3];
+  double origin[3];
+  double preview;            /* s */
+  double gain;               /* rad/m */
+  double feedforward;        /* rad m */
+  double limit;              /* rad, positive */
+  double stiffness, damping; /* N m/rad, N m s/rad */
+  int number;
+  const double *x, *y, *speeds;
+} maggi_driver_def;
+
 /* A sensor writes three columns, a combination one:
  *
  *   position, velocity, acceleration  NAME.x NAME.y NAME.z of a body point [m, m/s, m/s^2], global axes
@@ -555,6 +586,9 @@ typedef struct maggi_function_def {
  * divides, so that the columns of lateral_acceleration are |a|, 0 and |(a_x, a_y)| there and those of
  * sideslip 0; |n|, an acceleration, is n.n / sqrt(n.n + low_acceleration^2).  So all have derivatives, and
  * are exact but for (low / what is measured)^2.
+ *   speed_controller      NAME.error [m/s], NAME.torque [N m] on each coordinate, NAME.speed [m/s]
+ *   driver                NAME.error [m] of the point ahead, positive to the right of the path,
+ *                         NAME.distance [m] along the path, NAME.demand [rad]
  *
  * at_cog: the point is the centre of gravity of the body as its `cog` says, or the middle of its bar;
  * then `point` is no parameter.
@@ -580,6 +614,8 @@ typedef enum maggi_sensor_type {
   MAGGI_SENSOR_LEVEL_ACCELERATION,
   MAGGI_SENSOR_BODY_ACCELERATION,
   MAGGI_SENSOR_COMBINATION,
+  MAGGI_SENSOR_SPEED,
+  MAGGI_SENSOR_DRIVER,
   MAGGI_SENSOR_TYPE_COUNT
 } maggi_sensor_type;
 
@@ -678,6 +714,7 @@ void maggi_force_def_init(maggi_force_def *def);
 void maggi_tyre_def_init(maggi_tyre_def *def);
 void maggi_road_def_init(maggi_road_def *def);
 void maggi_wheel_def_init(maggi_wheel_def *def);
+void maggi_driver_def_init(maggi_driver_def *def);
 void maggi_function_def_init(maggi_function_def *def);
 void maggi_sensor_def_init(maggi_sensor_def *def);
 void maggi_start_def_init(maggi_start_def *def);
@@ -734,6 +771,7 @@ maggi_status maggi_builder_force(maggi_builder *b, const maggi_force_def *def);
 maggi_status maggi_builder_tyre(maggi_builder *b, const maggi_tyre_def *def);
 maggi_status maggi_builder_road(maggi_builder *b, const maggi_road_def *def);
 maggi_status maggi_builder_wheel(maggi_builder *b, const maggi_wheel_def *def);
+maggi_status maggi_builder_driver(maggi_builder *b, const maggi_driver_def *def);
 maggi_status maggi_builder_function(maggi_builder *b, const maggi_function_def *def);
 maggi_status maggi_builder_sensor(maggi_builder *b, const maggi_sensor_def *def);
 /* Another value for the numbers whose path is `name`, or which match it as a glob, whatever the definitions
