@@ -336,6 +336,49 @@ def test_curves_keep_their_peaks(tmp_path):
     assert high - heights.min() / 2260 * (high - low) == pytest.approx(5.0, abs=(high - low) / 1000)
 
 
+class Measured:
+    """A vehicle of which only a few channels are known."""
+
+    def __init__(self, t, **values):
+        self.t, self.values, self.channel, self.axles = t, values, values, []
+
+    def get(self, key):
+        return self.values.get(key)
+
+
+def test_steering_is_recognised_and_its_response_measured(monkeypatch):
+    monkeypatch.syspath_prepend(ROOT / "scripts")
+    from report_page import figures
+
+    t = numpy.arange(0, 20.0001, 0.01)
+    step = numpy.clip((t - 5) / 0.4, 0, 1)
+    for steer, kind in [
+        (0.02 * step, "step"),
+        (-0.02 * step, "step"),
+        (0.001 * numpy.maximum(t - 2, 0), "ramp"),
+        (0.02 * numpy.sin(t), "other"),
+        (0.0 * t, "still"),
+    ]:
+        assert figures.Manoeuvre(Measured(t, steer=steer)).kind == kind
+    assert figures.Manoeuvre(Measured(t)).kind == "none"
+
+    s = numpy.maximum(t - 5.2, 0)  # from half of the step on: 1 - exp(-s) (cos 3s + sin 3s / 3)
+    response = 0.3 * (1 - numpy.exp(-s) * (numpy.cos(3 * s) + numpy.sin(3 * s) / 3))
+    v = Measured(t, steer=-0.02 * step, yaw_rate=-response, ay=-10 * response, sideslip=0.04 + 0 * t)
+    figures.prepare(v)
+    assert v.manoeuvre.t50 == pytest.approx(5.2, abs=1e-9)
+    found = {row[0]: row[2] for row in figures.step_response(v)}
+    fine = numpy.linspace(0, 2, 200001)
+    exact = 1 - numpy.exp(-fine) * (numpy.cos(3 * fine) + numpy.sin(3 * fine) / 3)
+    rise = fine[numpy.argmax(exact >= 0.9)]
+    assert found["Response time of yaw rate (90 %)"] == pytest.approx(rise, abs=1e-4)
+    assert found["Peak time of yaw rate"] == pytest.approx(numpy.pi / 3, abs=0.006)
+    assert found["Overshoot of yaw rate"] == pytest.approx(numpy.exp(-numpy.pi / 3), rel=1e-3)
+    assert found["Steady lateral acceleration"] == pytest.approx(-3 / G, rel=1e-5)
+    peak = found["Peak time of yaw rate"]
+    assert found["TB factor (peak time of yaw rate × steady sideslip)"] == pytest.approx(0.04 * peak)
+
+
 # ------------------------------------------------------------------ what is wrong
 
 BAD = [

@@ -179,6 +179,8 @@ static void test_names(const maggi_model *m)
   static const char *const columns[] = {"x.x",   "x.y", "x.z", "y.roll", "y.pitch",
                                         "y.yaw", "z.x", "z.y", "z.z"};
   maggi_model_info info;
+  const maggi_sensor_def *sensor;
+  const char *type;
   int i;
 
   maggi_model_get_info(m, &info);
@@ -216,6 +218,19 @@ static void test_names(const maggi_model *m)
     CHECK(maggi_body_joint(m, i) == MAGGI_JOINT_TYPE_COUNT);
     CHECK(!maggi_coordinate_is_guided(m, i) && !maggi_coordinate_is_angle(m, i));
   }
+  CHECK_TEXT(maggi_coordinate_motion(m, 3), "m");
+  CHECK(!maggi_coordinate_motion(m, 0) && !maggi_coordinate_motion(m, -1));
+  CHECK_TEXT(maggi_model_function(m, 4, &type), "k");
+  CHECK_TEXT(type, "knots");
+  CHECK(!maggi_model_function(m, 6, &type) && !maggi_model_road(m, 0, &type));
+  for (i = 0; i < 3; ++i) {
+    sensor = maggi_model_sensor(m, i);
+    CHECK(strncmp(columns[3 * i], sensor->name, strlen(sensor->name)) == 0);
+  }
+  CHECK(!maggi_model_sensor(m, 3) && !maggi_model_sensor(m, -1) && !maggi_model_wheel(m, 0));
+  CHECK_TEXT(maggi_model_force(m, 0)->body, "ball");
+  CHECK_TEXT(maggi_model_force(m, 2)->coordinate, "ball.6");
+  CHECK(maggi_model_force(m, 1)->type == MAGGI_TORQUE_BODY && !maggi_model_force(m, 3));
 }
 
 #define CHECK_WORDS(kind, count)                                                                   \

@@ -225,7 +225,9 @@ static const char help_info[] =
     "\n"
     "Prints the bodies with their joints as a tree, the loops with kind and number of\n"
     "equations, rank, degrees of freedom, independent coordinates, sensors, filters and their\n"
-    "states, objectives, design parameters, and the parameters with path, value and unit.\n";
+    "states, objectives, design parameters, and the parameters with path, value and unit.  JSON "
+    "also has what\n"
+    "sensors look at, wheels, forces, roads, and the functions that guide coordinates.\n";
 
 static const char help_equilibrium[] =
     "maggi equilibrium MODEL [options]\n"
