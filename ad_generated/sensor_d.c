@@ -22,56 +22,55 @@ void maggi_sensors_d(const maggi_topo *t, const double p[restrict t->np],
                      const double Zad[restrict t->nbody + 1][6],
                      const double ra[restrict t->npoint][3],
                      const double rad[restrict t->npoint][3], const double lambda[restrict t->nrow],
-                     const double lambdad[restrict t->nrow], double s[restrict t->nsensor][3],
+                     const double lambdad[restrict t->nrow],
+                     const double slip[restrict t->nwheel][MAGGI_SLIP_NUMBERS],
+                     const double slipd[restrict t->nwheel][MAGGI_SLIP_NUMBERS],
+                     const double grip[restrict t->nwheel][6],
+                     const double gripd[restrict t->nwheel][6], double s[restrict t->nsensor][3],
                      double sd[restrict t->nsensor][3])
 {
-  int a, a4, a4_2, b, b2, b2_2, i, j, k, k2, n2;
-  double A_j0, A_j0d, A_j3, A_j3d, A_j7, A_j7d, A_j8, A_j8d, L0, L0d, L1, L1d, L2, L2d, N0, N0d, N1,
-      N2, N2d, T0, T0d, T1, T1d, T2, T2d, Z_j3, Z_j3d, Z_j4, Z_j4d, Z_k3, Z_k3d, Z_k4, Z_k4d, Z_k5,
-      Z_k5d, a00, a00d, a01, a01d, a02, a02d, a2, a2d, a3, a3d, along0, along0d, along1, along1d,
-      along2, along2d, ar, ard, areq, areqd, arm0, arm0d, arm1, arm1d, arm2, arm2d, at, atd, ateq,
-      ateqd, ay, ayd, br, brd, bt, btd, bx, bxd, by, bycy, bycyd, byd, c, c10, c11, c12, c13, c14,
-      c15, c16, c17, c18, c19, c2, c20, c21, c22, c23, c24, c25, c26, c27, c28, c29, c2d, c2inv, c3,
-      c30, c31, c32, c33, c34, c35, c36, c37, c38, c39, c4, c40, c41, c42, c43, c44, c45, c46, c47,
-      c48, c49, c5, c50, c51, c52, c53, c6, c7, c8, c9, ca, cad, cd, cx, cxd, cy, cyd, dampingd,
-      dfz, dfzd, dr, drd, dt, dtd, dv, dvd, dx, dxd, dy, dyd, e0, e0d, e1, e10, e10d, e11, e11d,
-      e12, e12d, e13, e13d, e1d, e20, e20d, e21, e21d, e22, e22d, e2_2, e2_2d, e3, e3d, e4, e4d, e5,
-      e5d, e6, e6d, e7, e7d, e8, e8d, e9, e9d, et, etd, ev0, ev0d, ev1, ev1d, ev20, ev20d, ev21,
-      ev21d, ev22, ev22d, ev2_2, ev2_2d, ex, exd, ey, eyd, f0d, f1d, f2d, force0d, force1d, force2d,
-      force3d, force4d, force5d, fx, fxd, fy, fyd, fz, fz0, fz0_2, fz0_2d, fz0_2inv, fz0_3, fz0_3d,
-      fz0_4, fz0_4d, fz0_4inv, fz0d, fz0inv, fz2, fz2d, fzd, g0, g0d, g20, g20d, g21, g21d, g2_2,
-      g2_2d, gamma, gamma2, gamma2d, gammad, gx, gxd, gy, gyd, gz, gzd, h00, h00d, h10, h10d, h11,
-      h11d, inv, inv2, inv3, kappa, kappa2, kappa2d, kappad, kx, kxd, l, l2, l2d, l2inv, ld, linv,
-      lv, lvd, mux, muxd, muy, muy2, muy2d, muyd, n30, n30d, n31, n31d, n32, n32d, n4, n4d, n4inv,
-      n50, n50d, n51, n52, n52d, omega, omegad, one0, one0d, one1, one1d, one2, one2d, one3, one3d,
-      one4, one4d, p10, p10d, p10inv, p2, p2d, p2inv, p3, p3d, p4, p4d, p4inv, p5, p5d, p6, p6d, p7,
-      p7d, p8, p8d, p9, p9d, p_b2, p_b2_2, p_b2_2d, p_b2_2inv, p_b2_3, p_b2_3d, p_b2_4, p_b2_4d,
-      p_b2_5, p_b2_5d, p_b2_5inv, p_b2_6, p_b2_6d, p_b2d, p_k24, p_k24d, p_k25, p_k25d, r0, r0d, r2,
-      r2d, ratio, ratio2, ratio2d, ratiod, re, red, rhov, rhovd, roll, rolld, rolling0d, rolling1d,
-      rolling2d, rolling3d, rolling4d, rolling5d, s2, s2d, s2inv, s3, s3d, s4, s4d, shift, shiftd,
-      shy, shyd, side, slip0d, slip1, slip1d, slip2d, speed, speed2, speed2d, speedd, speedinv,
-      stiff, stiff2, stiff2d, stiff2inv, stiff3, stiff3d, stiff4, stiff4d, stiffd, svx, svxd, svy,
-      svyd, t10, t10d, t11, t11d, t11inv, t12, t12d, t13, t13d, t14, t14d, t15, t15d, t16, t16d,
-      t17, t17d, t18, t18d, t19, t19d, t2, t20, t20d, t21, t21d, t22, t22d, t23, t23d, t24, t24d,
-      t25, t25d, t26, t26d, t26inv, t27, t27d, t28, t28d, t29, t29d, t2d, t3, t30, t30d, t31, t31d,
-      t32, t32d, t32inv, t33, t33d, t33inv, t34, t34d, t34inv, t35, t35d, t36, t36d, t36inv, t37,
-      t37d, t38, t38d, t39, t39d, t3d, t4, t40, t40d, t41, t41d, t42, t42d, t43, t43d, t44, t44d,
-      t44inv, t45, t45d, t46, t46d, t47, t47d, t47inv, t48, t48d, t49, t49d, t4d, t5, t50, t50d,
-      t51, t51d, t52, t52d, t53, t53d, t54, t54d, t55, t55d, t56, t56d, t57, t57d, t58, t58d,
-      t58inv, t59, t59d, t5d, t5inv, t6, t60, t60d, t61, t61d, t62, t62d, t63, t63d, t64, t64d,
-      t64inv, t65, t65d, t66, t66d, t67, t67d, t68, t68d, t69, t69d, t6d, t7, t70, t70d, t71, t71d,
-      t72, t72d, t73, t73d, t74, t74d, t75, t75d, t75inv, t76, t76d, t77, t77d, t78, t78d, t79,
-      t79d, t79inv, t7d, t8, t80, t80d, t81, t81d, t82, t82d, t83, t83d, t84, t84d, t85, t85d,
-      t85inv, t86, t86d, t87, t87d, t88, t88d, t89, t89d, t8d, t9, t90, t90d, t91, t91d, t92, t92d,
-      t92inv, t93, t93d, t94, t94d, t95, t95d, t96, t96d, t97, t97d, t9d, torque0d, u20, u20d, u21,
-      u21d, u22, u22d, ua0, ua0d, ua1, ua1d, ua2, ua2d, un0, un0d, un1, un1d, un2, un2d, v20, v20d,
-      v21, v21d, v22, v22d, vr0, vr0d, vr1, vr1d, vr2, vr2d, vx, vxd, w, way, wayd, wd, winv, wr0,
-      wr0d, wr1, wr1d, wr2, wr2d, x2, x2d, x3, x3d, x4, x4d, x50, x50d, x51, x51d, x6, x6d, x7, x7d,
-      x8, x8d, x9, x9d, xv, xvd, y, y10, y10d, y11, y11d, y12, y12d, y13, y13d, y14, y14d, y15,
-      y15d, y16, y16d, y17, y17d, y18, y18d, y20, y20d, y21, y21d, y21inv, y22, y22d, y23, y23d,
-      y24, y24d, y3, y3d, y4, y4d, y5, y5d, y6, y6d, y7, y7d, y8, y8d, y9, y9d, yd, z0_2d, z0_3d,
-      z0d, z1_2d, z1_3, z1_3d, z1d, z20, z20d, z21, z21d, z22, z22d, z22inv, z30, z30d, z31d, z4,
-      z4d, z5, z5d, z6, z6d;
+  int a, a3, b, b7, i, j, k, k2, n2;
+  double A_j0, A_j0d, A_j3, A_j3d, A_j7, A_j7d, A_j8, A_j8d, Z_j3, Z_j3d, Z_j4, Z_j4d, a2, a2d, ay,
+      ayd, b2, b2d, b3, b3d, b4, b4d, b5, b5d, b6, b6d, c, c10, c11, c12, c13, c14, c15, c16, c17,
+      c18, c19, c2, c20, c21, c22, c23, c24, c25, c26, c27, c28, c29, c2d, c2inv, c3, c30, c31, c32,
+      c33, c34, c35, c36, c37, c38, c39, c3d, c4, c40, c41, c42, c43, c44, c45, c46, c47, c48, c49,
+      c5, c50, c51, c52, c53, c54, c55, c56, c57, c58, c59, c6, c60, c61, c62, c63, c64, c65, c66,
+      c67, c68, c69, c7, c8, c9, cd, dampingd, dfz, dfzd, dv, dvd, e0, e0d, e1, e10, e10d, e11,
+      e11d, e12, e12d, e1d, e20, e20d, e21, e21d, e22, e22d, e2_2, e2_2d, e3, e3d, e4, e4d, e5, e5d,
+      e6, e6d, e7, e7d, e8, e8d, e9, e9d, ev0, ev0d, ev1, ev1d, ev20, ev20d, ev21, ev21d, ev22,
+      ev22d, ev2_2, ev2_2d, ex, exd, ey, eyd, f0d, f1d, f2d, fx, fxd, fy, fyd, fz, fz0, fz0_2,
+      fz0_2d, fz0d, fz0inv, fzd, g0, g0d, g1, g1d, g2, g2d, g3, g3d, g4, g4d, g5, g5d, g6, g6d, g7,
+      g7d, g8, g8d, gamma, gammad, gx, gx2, gx2d, gxd, gy, gy2, gy2d, gyd, ka, kad, kappa, kappad,
+      kx, kxd, l, l2, l2d, l2inv, l3, l3d, ld, linv, lv, lvd, m, md, mux, muxd, muy, muyd, n30,
+      n30d, n31, n31d, n32, n32d, n4, n4d, n4inv, n5, n5d, n5inv, one0, one0d, one1, one1d, one2,
+      one2d, one3, one3d, p2, p2d, p3, p3d, p4, p4d, p5, p5d, p6, p6d, p_k24, p_k24d, p_k25, p_k25d,
+      peak, peakd, roll, rolld, s2, s2d, s3, s3d, shift, shift2, shift2d, shiftd, side, slip_n2d,
+      t10, t100, t100d, t101, t101d, t102, t102d, t103, t103d, t104, t104d, t104inv, t105, t105d,
+      t106, t106d, t107, t107d, t107inv, t108, t108d, t109, t109d, t109inv, t10d, t10inv, t11, t110,
+      t110d, t111, t111d, t112, t112d, t113, t113d, t114, t114d, t115, t115d, t116, t116d, t116inv,
+      t117, t117d, t118, t118d, t118inv, t119, t119d, t11d, t11inv, t12, t120, t120d, t121, t121d,
+      t121inv, t122, t122d, t123, t123d, t123inv, t124, t124d, t125, t125d, t126, t126d, t127,
+      t127d, t128, t128d, t129, t129d, t12d, t12inv, t13, t130, t130d, t130inv, t131, t131d, t132,
+      t132d, t132inv, t133, t133d, t134d, t13d, t14, t14d, t15, t15d, t15inv, t16, t16d, t17, t17d,
+      t18, t18d, t18inv, t19, t19d, t2, t20, t20d, t21, t21d, t21inv, t22, t22d, t23, t23d, t24,
+      t24d, t25, t25d, t26, t26d, t27, t27d, t28, t28d, t29, t29d, t2d, t3, t30, t30d, t31, t31d,
+      t32, t32d, t33, t33d, t34, t34d, t35, t35d, t36, t36d, t36inv, t37, t37d, t38, t38d, t39,
+      t39d, t3d, t4, t40, t40d, t41, t41d, t42, t42d, t43, t43d, t44, t44d, t45, t45d, t46, t46d,
+      t46inv, t47, t47d, t48, t48d, t49, t49d, t4d, t5, t50, t50d, t51, t51d, t52, t52d, t53, t53d,
+      t54, t54d, t55, t55d, t55inv, t56, t56d, t57, t57d, t57inv, t58, t58d, t59, t59d, t5d, t5inv,
+      t6, t60, t60d, t61, t61d, t62, t62d, t62inv, t63, t63d, t64, t64d, t64inv, t65, t65d, t66,
+      t66d, t66inv, t67, t67d, t68, t68d, t69, t69d, t6d, t7, t70, t70d, t71, t71d, t72, t72d, t73,
+      t73d, t74, t74d, t75, t75d, t76, t76d, t76inv, t77, t77d, t78, t78d, t78inv, t79, t79d, t7d,
+      t8, t80, t80d, t81, t81d, t82, t82d, t83, t83d, t83inv, t84, t84d, t85, t85d, t85inv, t86,
+      t86d, t87, t87d, t87inv, t88, t88d, t89, t89d, t89inv, t8d, t9, t90, t90d, t91, t91d, t92,
+      t92d, t93, t93d, t94, t94d, t95, t95d, t96, t96d, t96inv, t97, t97d, t98, t98d, t99, t99d,
+      t9d, torque0d, ux, uxd, uy, uyd, v2, v2d, wx1, wx1d, wy1, wy1d, x2, x2d, x30, x30d, x30inv,
+      x31, x31d, x32, x32d, x33, x33d, x34, x34d, x35, x35d, x4, x4d, x5, x5d, x6, x6d, x7, x7d, x8,
+      x8d, x9, x9d, xv, xvd, y0, y0_2, y0_2d, y0_3, y0_3d, y0_3inv, y0d, y1, y10, y10d, y11, y11d,
+      y12, y12d, y13, y13d, y14, y14d, y15, y15d, y16, y16d, y17, y17d, y18, y18d, y1d, y2, y2_2,
+      y2_2d, y2d, y3, y3_2, y3_2d, y3d, y4, y4_2, y4_2d, y4d, y5, y5_2, y5_2d, y5d, y6, y6d, y7,
+      y7d, y8, y8d, y9, y9d, z0, z0_2, z0_2d, z0_3d, z0_4d, z0_5d, z0d, z10, z10d, z11, z11d, z1_2d,
+      z1_3, z1_3d, z1d, z2, z2d, z3, z3d, z4, z4d, z5, z5d, z6, z6d, z7, z7d, z8, z8d, z9, z9d;
 
   (void)origin;
   (void)x;
@@ -99,23 +98,23 @@ void maggi_sensors_d(const maggi_topo *t, const double p[restrict t->np],
       A_j7d = Ad[j][7];
       A_j8 = A[j][8];
       A_j8d = Ad[j][8];
-      c3 = A_j8 / (A_j8 * A_j8 + A_j7 * A_j7);
-      c4 = -(A_j7 / (A_j8 * A_j8 + A_j7 * A_j7));
+      c4 = A_j8 / (A_j8 * A_j8 + A_j7 * A_j7);
+      c5 = -(A_j7 / (A_j8 * A_j8 + A_j7 * A_j7));
       /* R = Rz(yaw) Ry(pitch) Rx(roll) */
-      sd[i][0] = c3 * A_j7d + c4 * A_j8d;
+      sd[i][0] = c4 * A_j7d + c5 * A_j8d;
       t2 = -A[j][6];
       t2d = -Ad[j][6];
       t3 = A_j7 * A_j7 + A_j8 * A_j8;
       t3d = A_j7d * A_j7 + A_j7 * A_j7d + (A_j8d * A_j8 + A_j8 * A_j8d);
       t4 = sqrt(t3);
-      c5 = 1.0 / (2.0 * t4);
-      t4d = c5 * t3d;
-      c6 = t4 / (t4 * t4 + t2 * t2);
-      c7 = -(t2 / (t4 * t4 + t2 * t2));
-      sd[i][1] = c6 * t2d + c7 * t4d;
-      c8 = A[j][0] / (A[j][0] * A[j][0] + A[j][3] * A[j][3]);
-      c9 = -(A[j][3] / (A[j][0] * A[j][0] + A[j][3] * A[j][3]));
-      sd[i][2] = c8 * Ad[j][3] + c9 * Ad[j][0];
+      c6 = 1.0 / (2.0 * t4);
+      t4d = c6 * t3d;
+      c7 = t4 / (t4 * t4 + t2 * t2);
+      c8 = -(t2 / (t4 * t4 + t2 * t2));
+      sd[i][1] = c7 * t2d + c8 * t4d;
+      c9 = A[j][0] / (A[j][0] * A[j][0] + A[j][3] * A[j][3]);
+      c10 = -(A[j][3] / (A[j][0] * A[j][0] + A[j][3] * A[j][3]));
+      sd[i][2] = c9 * Ad[j][3] + c10 * Ad[j][0];
     } else if (t->sensorkind[i] == MAGGI_SENSOR_ANGLE_RATES) {
       A_j0 = A[j][0];
       A_j0d = Ad[j][0];
@@ -134,8 +133,8 @@ void maggi_sensors_d(const maggi_topo *t, const double p[restrict t->np],
       rolld = (A_j0d * Z_j3 + A_j0 * Z_j3d + (A_j3d * Z_j4 + A_j3 * Z_j4d) - roll * c2d) * c2inv;
       sd[i][0] = rolld;
       t5 = sqrt(c2);
-      c10 = 1.0 / (2.0 * t5);
-      t5d = c10 * c2d;
+      c11 = 1.0 / (2.0 * t5);
+      t5d = c11 * c2d;
       t5inv = 1.0 / t5;
       sd[i][1] = (A_j0d * Z_j4 + A_j0 * Z_j4d - (A_j3d * Z_j3 + A_j3 * Z_j3d) - s[i][1] * t5d) *
           t5inv;
@@ -166,8 +165,8 @@ void maggi_sensors_d(const maggi_topo *t, const double p[restrict t->np],
       t6 = e0 * e0 + e1 * e1 + e2_2 * e2_2;
       t6d = e0d * e0 + e0 * e0d + (e1d * e1 + e1 * e1d) + (e2_2d * e2_2 + e2_2 * e2_2d);
       l = sqrt(t6);
-      c11 = 1.0 / (2.0 * l);
-      ld = c11 * t6d;
+      c12 = 1.0 / (2.0 * l);
+      ld = c12 * t6d;
       n30 = e0 / l;
       linv = 1.0 / l;
       n30d = (e0d - n30 * ld) * linv;
@@ -208,9 +207,9 @@ void maggi_sensors_d(const maggi_topo *t, const double p[restrict t->np],
       } else {
         f1d = dampingd;
       }
-      z0d = ld;
+      z0_3d = ld;
       z1d = lvd;
-      sd[i][0] = z0d;
+      sd[i][0] = z0_3d;
       sd[i][1] = z1d;
       sd[i][2] = f0d + f1d;
     } else if (t->sensorkind[i] == MAGGI_SENSOR_JOINT_SPRING) {
@@ -229,1187 +228,897 @@ void maggi_sensors_d(const maggi_topo *t, const double p[restrict t->np],
           p[t->jspringadr[n2]] * (x2d - pd[t->jspringadr[n2] + MAGGI_JSPRING_REST]) -
           (pd[t->jspringadr[n2] + MAGGI_JSPRING_C] * xv + p[t->jspringadr[n2] + MAGGI_JSPRING_C] *
           xvd) - pd[t->jspringadr[n2] + MAGGI_JSPRING_PRELOAD];
-      z0_2d = x2d;
+      z0_4d = x2d;
       z1_2d = xvd;
-      sd[i][0] = z0_2d;
+      sd[i][0] = z0_4d;
       sd[i][1] = z1_2d;
       sd[i][2] = torque0d;
     } else if (t->sensorkind[i] == MAGGI_SENSOR_ROD) {
-      a4 = t->primpa[n2];
-      b2 = t->primpb[n2];
-      e20 = r[a4][0] - r[b2][0];
+      a3 = t->primpa[n2];
+      b7 = t->primpb[n2];
+      e20 = r[a3][0] - r[b7][0];
       /* distance of two points and its rate */
-      e20d = rd[a4][0] - rd[b2][0];
-      ev20 = rv[a4][0] - rv[b2][0];
-      ev20d = rvd[a4][0] - rvd[b2][0];
-      e21 = r[a4][1] - r[b2][1];
-      e21d = rd[a4][1] - rd[b2][1];
-      ev21 = rv[a4][1] - rv[b2][1];
-      ev21d = rvd[a4][1] - rvd[b2][1];
-      e22 = r[a4][2] - r[b2][2];
-      e22d = rd[a4][2] - rd[b2][2];
-      ev22 = rv[a4][2] - rv[b2][2];
-      ev22d = rvd[a4][2] - rvd[b2][2];
+      e20d = rd[a3][0] - rd[b7][0];
+      ev20 = rv[a3][0] - rv[b7][0];
+      ev20d = rvd[a3][0] - rvd[b7][0];
+      e21 = r[a3][1] - r[b7][1];
+      e21d = rd[a3][1] - rd[b7][1];
+      ev21 = rv[a3][1] - rv[b7][1];
+      ev21d = rvd[a3][1] - rvd[b7][1];
+      e22 = r[a3][2] - r[b7][2];
+      e22d = rd[a3][2] - rd[b7][2];
+      ev22 = rv[a3][2] - rv[b7][2];
+      ev22d = rvd[a3][2] - rvd[b7][2];
       t7 = e20 * e20 + e21 * e21 + e22 * e22;
       t7d = e20d * e20 + e20 * e20d + (e21d * e21 + e21 * e21d) + (e22d * e22 + e22 * e22d);
       l2 = sqrt(t7);
-      c12 = 1.0 / (2.0 * l2);
-      l2d = c12 * t7d;
-      z0_3d = l2d;
+      c13 = 1.0 / (2.0 * l2);
+      l2d = c13 * t7d;
+      z0_5d = l2d;
       z1_3 = s[i][1];
       l2inv = 1.0 / l2;
       z1_3d = (e20d * ev20 + e20 * ev20d + (e21d * ev21 + e21 * ev21d) + (e22d * ev22 + e22 * ev22d)
           - z1_3 * l2d) * l2inv;
-      sd[i][0] = z0_3d;
+      sd[i][0] = z0_5d;
       sd[i][1] = z1_3d;
       sd[i][2] = lambdad[t->primrow[n2]];
+    } else if (t->sensorkind[i] == MAGGI_SENSOR_TYRE_SLIP) {
+      sd[i][0] = slipd[n2][MAGGI_SLIP_KAPPA];
+      c14 = 1.0 / (1.0 + slip[n2][MAGGI_SLIP_TAN_ALPHA] * slip[n2][MAGGI_SLIP_TAN_ALPHA]);
+      sd[i][1] = c14 * slipd[n2][MAGGI_SLIP_TAN_ALPHA];
+      sd[i][2] = slipd[n2][MAGGI_SLIP_GAMMA];
+    } else if (t->sensorkind[i] == MAGGI_SENSOR_TYRE_FORCE) {
+      sd[i][0] = gripd[n2][0];
+      sd[i][1] = gripd[n2][1];
+      sd[i][2] = gripd[n2][2];
+    } else if (t->sensorkind[i] == MAGGI_SENSOR_TYRE_MOMENT) {
+      sd[i][0] = gripd[n2][3];
+      sd[i][1] = gripd[n2][4];
+      sd[i][2] = gripd[n2][5];
+    } else if (t->sensorkind[i] == MAGGI_SENSOR_TYRE_CONTACT) {
+      slip_n2d = slipd[n2][MAGGI_SLIP_RADIUS];
+      sd[i][0] = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_UNLOADED_RADIUS] - slip_n2d;
+      sd[i][1] = slip_n2d;
+      sd[i][2] = slipd[n2][MAGGI_SLIP_ROLLING];
     } else {
-      a4_2 = t->wheelpoint[n2];
-      b2_2 = t->wheelroad[n2];
-      j = t->wheelbody[n2];
-      k = t->wheelcarrier[n2];
       side = t->wheelmirror[n2] ? -1.0 : 1.0;
-      a00 = p[t->wheelaxis[n2]];
-      a00d = pd[t->wheelaxis[n2]];
-      a01 = p[t->wheelaxis[n2] + 1];
-      a01d = pd[t->wheelaxis[n2] + 1];
-      a02 = p[t->wheelaxis[n2] + 2];
-      a02d = pd[t->wheelaxis[n2] + 2];
-      ua0 = A[j][0] * a00 + A[j][1] * a01 + A[j][2] * a02;
-      ua0d = Ad[j][0] * a00 + A[j][0] * a00d + (Ad[j][1] * a01 + A[j][1] * a01d) + (Ad[j][2] * a02 +
-          A[j][2] * a02d);
-      ua1 = A[j][3] * a00 + A[j][4] * a01 + A[j][5] * a02;
-      ua1d = Ad[j][3] * a00 + A[j][3] * a00d + (Ad[j][4] * a01 + A[j][4] * a01d) + (Ad[j][5] * a02 +
-          A[j][5] * a02d);
-      ua2 = A[j][6] * a00 + A[j][7] * a01 + A[j][8] * a02;
-      ua2d = Ad[j][6] * a00 + A[j][6] * a00d + (Ad[j][7] * a01 + A[j][7] * a01d) + (Ad[j][8] * a02 +
-          A[j][8] * a02d);
-      t8 = ua0 * ua0 + ua1 * ua1 + ua2 * ua2;
-      t8d = ua0d * ua0 + ua0 * ua0d + (ua1d * ua1 + ua1 * ua1d) + (ua2d * ua2 + ua2 * ua2d);
-      n4 = sqrt(t8);
-      c13 = 1.0 / (2.0 * n4);
-      n4d = c13 * t8d;
-      u20 = ua0 / n4;
-      n4inv = 1.0 / n4;
-      u20d = (ua0d - u20 * n4d) * n4inv;
-      u21 = ua1 / n4;
-      u21d = (ua1d - u21 * n4d) * n4inv;
-      u22 = ua2 / n4;
-      u22d = (ua2d - u22 * n4d) * n4inv;
-      g0 = r[a4_2][0] - r[t->roadpoint[b2_2]][0];
-      g0d = rd[a4_2][0] - rd[t->roadpoint[b2_2]][0];
-      g2_2 = r[a4_2][2] - r[t->roadpoint[b2_2]][2];
-      g2_2d = rd[a4_2][2] - rd[t->roadpoint[b2_2]][2];
-      x4 = g0;
-      /* Where the rigid disc of a wheel meets the road: the plane that touches the road where the line from
-       * the centre down the disc meets it, n its normal; then down the disc to that plane,
-       *   e = (u.n u - n) / |u × n|,  r = (c - q).n / |u × n|,  T = u × n / |u × n|,  L = n × T
-       * g: centre c from the point of the road.  arm: r e; z: r, u.n, |u × n| */
-      x4d = g0d;
-      /* height of the road above its point at x ahead of it, and its slope */
-      if (t->roadkind[b2_2] == MAGGI_ROAD_FLAT) {
-        p_b2 = p[t->roadadr[b2_2]];
-        p_b2d = pd[t->roadadr[b2_2]];
-        h00 = p_b2 * x4;
-        h00d = p_b2d * x4 + p_b2 * x4d;
-      } else {
-        p_b2_2 = p[t->roadadr[b2_2] + 1];
-        p_b2_2d = pd[t->roadadr[b2_2] + 1];
-        t9 = 6.28318530717958647693 * x4 / p_b2_2;
-        p_b2_2inv = 1.0 / p_b2_2;
-        t9d = (6.28318530717958647693 * x4d - t9 * p_b2_2d) * p_b2_2inv;
-        t10 = sin(t9);
-        c14 = cos(t9);
-        t10d = c14 * t9d;
-        p_b2_3 = p[t->roadadr[b2_2]];
-        p_b2_3d = pd[t->roadadr[b2_2]];
-        h00 = p_b2_3 * t10;
-        h00d = p_b2_3d * t10 + p_b2_3 * t10d;
-      }
-      t11 = u20 * u20 + u21 * u21;
-      t11d = u20d * u20 + u20 * u20d + (u21d * u21 + u21 * u21d);
-      t12 = u22 * u20 / t11;
-      t11inv = 1.0 / t11;
-      t12d = (u22d * u20 + u22 * u20d - t12 * t11d) * t11inv;
-      x3 = g0 + t12 * (g2_2 - h00);
-      x3d = g0d + (t12d * (g2_2 - h00) + t12 * (g2_2d - h00d));
-      /* height of the road above its point at x ahead of it, and its slope */
-      if (t->roadkind[b2_2] == MAGGI_ROAD_FLAT) {
-        p_b2_4 = p[t->roadadr[b2_2]];
-        p_b2_4d = pd[t->roadadr[b2_2]];
-        h10 = p_b2_4 * x3;
-        h10d = p_b2_4d * x3 + p_b2_4 * x3d;
-        h11 = p_b2_4;
-        h11d = p_b2_4d;
-      } else {
-        p_b2_5 = p[t->roadadr[b2_2] + 1];
-        p_b2_5d = pd[t->roadadr[b2_2] + 1];
-        t13 = 6.28318530717958647693 * x3 / p_b2_5;
-        p_b2_5inv = 1.0 / p_b2_5;
-        t13d = (6.28318530717958647693 * x3d - t13 * p_b2_5d) * p_b2_5inv;
-        t14 = sin(t13);
-        c15 = cos(t13);
-        t14d = c15 * t13d;
-        p_b2_6 = p[t->roadadr[b2_2]];
-        p_b2_6d = pd[t->roadadr[b2_2]];
-        h10 = p_b2_6 * t14;
-        h10d = p_b2_6d * t14 + p_b2_6 * t14d;
-        t15 = p_b2_6 * 6.28318530717958647693 / p_b2_5;
-        t15d = (p_b2_6d * 6.28318530717958647693 - t15 * p_b2_5d) * p_b2_5inv;
-        t16 = 6.28318530717958647693 * x3 / p_b2_5;
-        t16d = (6.28318530717958647693 * x3d - t16 * p_b2_5d) * p_b2_5inv;
-        t17 = cos(t16);
-        c16 = -sin(t16);
-        t17d = c16 * t16d;
-        h11 = t15 * t17;
-        h11d = t15d * t17 + t15 * t17d;
-      }
-      t18 = 1.0 + h11 * h11;
-      t18d = h11d * h11 + h11 * h11d;
-      s2 = sqrt(t18);
-      c17 = 1.0 / (2.0 * s2);
-      s2d = c17 * t18d;
-      n50 = -h11 / s2;
-      s2inv = 1.0 / s2;
-      n50d = (-h11d - n50 * s2d) * s2inv;
-      n51 = 0.0;
-      n52 = 1.0 / s2;
-      n52d = -(n52 * s2d * s2inv);
-      c = u20 * n50 + u21 * n51 + u22 * n52;
-      cd = u20d * n50 + u20 * n50d + u21d * n51 + (u22d * n52 + u22 * n52d);
-      un0 = u21 * n52 - u22 * n51;
-      un0d = u21d * n52 + u21 * n52d - u22d * n51;
-      un1 = u22 * n50 - u20 * n52;
-      un1d = u22d * n50 + u22 * n50d - (u20d * n52 + u20 * n52d);
-      un2 = u20 * n51 - u21 * n50;
-      un2d = u20d * n51 - (u21d * n50 + u21 * n50d);
-      t19 = un0 * un0 + un1 * un1 + un2 * un2;
-      t19d = un0d * un0 + un0 * un0d + (un1d * un1 + un1 * un1d) + (un2d * un2 + un2 * un2d);
-      w = sqrt(t19);
-      c18 = 1.0 / (2.0 * w);
-      wd = c18 * t19d;
-      r2 = ((g0 - x3) * n50 + (g2_2 - h10) * n52) / w;
-      winv = 1.0 / w;
-      r2d = ((g0d - x3d) * n50 + (g0 - x3) * n50d + ((g2_2d - h10d) * n52 + (g2_2 - h10) * n52d) -
-          r2 * wd) * winv;
-      along0 = un0 / w;
-      along0d = (un0d - along0 * wd) * winv;
-      along1 = un1 / w;
-      along1d = (un1d - along1 * wd) * winv;
-      along2 = un2 / w;
-      along2d = (un2d - along2 * wd) * winv;
-      L0 = n51 * along2 - n52 * along1;
-      L0d = n51 * along2d - (n52d * along1 + n52 * along1d);
-      L1 = n52 * along0 - n50 * along2;
-      L1d = n52d * along0 + n52 * along0d - (n50d * along2 + n50 * along2d);
-      L2 = n50 * along1 - n51 * along0;
-      L2d = n50d * along1 + n50 * along1d - n51 * along0d;
-      arm0 = r2 * (c * u20 - n50) / w;
-      arm0d = (r2d * (c * u20 - n50) + r2 * (cd * u20 + c * u20d - n50d) - arm0 * wd) * winv;
-      T0 = along0;
-      T0d = along0d;
-      N0 = n50;
-      N0d = n50d;
-      arm1 = r2 * (c * u21 - n51) / w;
-      arm1d = (r2d * (c * u21 - n51) + r2 * (cd * u21 + c * u21d) - arm1 * wd) * winv;
-      T1 = along1;
-      T1d = along1d;
-      N1 = n51;
-      arm2 = r2 * (c * u22 - n52) / w;
-      arm2d = (r2d * (c * u22 - n52) + r2 * (cd * u22 + c * u22d - n52d) - arm2 * wd) * winv;
-      T2 = along2;
-      T2d = along2d;
-      N2 = n52;
-      N2d = n52d;
-      z20 = r2;
-      z20d = r2d;
-      z21 = c;
-      z21d = cd;
-      z22 = w;
-      z22d = wd;
-      Z_k3 = Z[k][3];
-      Z_k3d = Zd[k][3];
-      wr0 = Z_k3;
-      wr0d = Z_k3d;
-      Z_k4 = Z[k][4];
-      Z_k4d = Zd[k][4];
-      wr1 = Z_k4;
-      wr1d = Z_k4d;
-      Z_k5 = Z[k][5];
-      Z_k5d = Zd[k][5];
-      wr2 = Z_k5;
-      wr2d = Z_k5d;
-      vr0 = wr1 * arm2 - wr2 * arm1;
-      vr0d = wr1d * arm2 + wr1 * arm2d - (wr2d * arm1 + wr2 * arm1d);
-      vr1 = wr2 * arm0 - wr0 * arm2;
-      vr1d = wr2d * arm0 + wr2 * arm0d - (wr0d * arm2 + wr0 * arm2d);
-      vr2 = wr0 * arm1 - wr1 * arm0;
-      vr2d = wr0d * arm1 + wr0 * arm1d - (wr1d * arm0 + wr1 * arm0d);
-      v20 = rv[a4_2][0] + vr0;
-      v20d = rvd[a4_2][0] + vr0d;
-      v21 = rv[a4_2][1] + vr1;
-      v21d = rvd[a4_2][1] + vr1d;
-      v22 = rv[a4_2][2] + vr2;
-      v22d = rvd[a4_2][2] + vr2d;
-      vx = v20 * T0 + v21 * T1 + v22 * T2;
-      vxd = v20d * T0 + v20 * T0d + (v21d * T1 + v21 * T1d) + (v22d * T2 + v22 * T2d);
-      rhov = -(v20 * N0 + v21 * N1 + v22 * N2) / z22;
-      z22inv = 1.0 / z22;
-      rhovd = (-(v20d * N0 + v20 * N0d + v21d * N1 + (v22d * N2 + v22 * N2d)) - rhov * z22d) *
-          z22inv;
-      omega = (Z[j][3] - Z_k3) * u20 + (Z[j][4] - Z_k4) * u21 + (Z[j][5] - Z_k5) * u22;
-      omegad = (Zd[j][3] - Z_k3d) * u20 + (Z[j][3] - Z_k3) * u20d + ((Zd[j][4] - Z_k4d) * u21 +
-          (Z[j][4] - Z_k4) * u21d) + ((Zd[j][5] - Z_k5d) * u22 + (Z[j][5] - Z_k5) * u22d);
-      p2 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_VERTICAL_STIFFNESS];
-      p2d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_VERTICAL_STIFFNESS];
-      p3 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_UNLOADED_RADIUS];
-      p3d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_UNLOADED_RADIUS];
-      fz = p2 * (p3 - z20) + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_VERTICAL_DAMPING] * rhov;
-      fzd = p2d * (p3 - z20) + p2 * (p3d - z20d) + (pd[t->tyreadr[t->wheeltyre[n2]] +
-          MAGGI_TYRE_VERTICAL_DAMPING] * rhov + p[t->tyreadr[t->wheeltyre[n2]] +
-          MAGGI_TYRE_VERTICAL_DAMPING] * rhovd);
-      fz0 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LFZO] * p[t->tyreadr[t->wheeltyre[n2]]];
-      fz0d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LFZO] * p[t->tyreadr[t->wheeltyre[n2]]] +
-          p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LFZO] * pd[t->tyreadr[t->wheeltyre[n2]]];
-      ratio = fz / fz0;
-      fz0inv = 1.0 / fz0;
-      ratiod = (fzd - ratio * fz0d) * fz0inv;
-      t20 = fz0 / p2;
-      p2inv = 1.0 / p2;
-      t20d = (fz0d - t20 * p2d) * p2inv;
-      t21 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_BREFF] * ratio;
-      t21d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_BREFF] * ratio +
-          p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_BREFF] * ratiod;
-      t22 = atan(t21);
-      c19 = 1.0 / (1.0 + t21 * t21);
-      t22d = c19 * t21d;
-      re = p3 - t20 * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_DREFF] * t22 +
-          p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_FREFF] * ratio);
-      red = p3d - (t20d * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_DREFF] * t22 +
-          p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_FREFF] * ratio) + t20 *
-          (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_DREFF] * t22 +
-          p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_DREFF] * t22d +
-          (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_FREFF] * ratio +
-          p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_FREFF] * ratiod)));
-      /* |v|; less than low gives way to (low + v^2 / low) / 2, which is not 0 at rest */
-      if (MAGGI_RE(vx) > MAGGI_RE(p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_VXLOW])) {
-        y = vx;
-        yd = vxd;
-      } else if (MAGGI_RE(vx) < -MAGGI_RE(p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_VXLOW])) {
-        y = -vx;
-        yd = -vxd;
-      } else {
-        p4 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_VXLOW];
-        p4d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_VXLOW];
-        t23 = vx * vx / p4;
-        p4inv = 1.0 / p4;
-        t23d = (vxd * vx + vx * vxd - t23 * p4d) * p4inv;
-        y = 0.5 * (p4 + t23);
-        yd = 0.5 * (p4d + t23d);
-      }
-      speed = y;
-      speedd = yd;
-      kappa = (omega * re - vx) / speed;
-      speedinv = 1.0 / speed;
-      kappad = (omegad * re + omega * red - vxd - kappa * speedd) * speedinv;
-      a2 = (v20 * L0 + v21 * L1 + v22 * L2) / speed;
-      a2d = (v20d * L0 + v20 * L0d + (v21d * L1 + v21 * L1d) + (v22d * L2 + v22 * L2d) - a2 *
-          speedd) * speedinv;
-      gamma = atan2(z21, z22);
-      c20 = z22 / (z22 * z22 + z21 * z21);
-      c21 = -(z21 / (z22 * z22 + z21 * z21));
-      gammad = c20 * z21d + c21 * z22d;
-      if (MAGGI_RE(fz) > 0.0 && MAGGI_RE(z20) < MAGGI_RE(p[t->tyreadr[t->wheeltyre[n2]] +
-          MAGGI_TYRE_UNLOADED_RADIUS])) {
-        one0 = kappa;
-        one0d = kappad;
-        one1 = side * a2;
-        one1d = side * a2d;
-        one2 = side * gamma;
-        one2d = side * gammad;
-        one3 = fz;
-        one3d = fzd;
-        one4 = vx;
-        one4d = vxd;
-        if (t->wheelgrip[n2]) {
-          kappa2 = one0;
-          kappa2d = one0d;
-          a3 = one1;
-          a3d = one1d;
-          gamma2 = one2;
-          gamma2d = one2d;
-          fz2 = one3;
-          fz2d = one3d;
-          fz0_2 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LFZO] *
-              p[t->tyreadr[t->wheeltyre[n2]]];
-          fz0_2d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LFZO] *
-              p[t->tyreadr[t->wheeltyre[n2]]] + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LFZO] *
-              pd[t->tyreadr[t->wheeltyre[n2]]];
-          r0 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_UNLOADED_RADIUS];
-          r0d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_UNLOADED_RADIUS];
-          dfz = (fz2 - fz0_2) / fz0_2;
-          fz0_2inv = 1.0 / fz0_2;
-          dfzd = (fz2d - fz0_2d - dfz * fz0_2d) * fz0_2inv;
-          kx = kappa2 + (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PHX1] +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PHX2] * dfz) *
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LHX];
-          /* Fx0, Kx */
-          kxd = kappa2d + ((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PHX1] +
-              (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PHX2] * dfz +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PHX2] * dfzd)) *
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LHX] + (p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_PHX1] + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PHX2] * dfz) *
-              pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LHX]);
-          gx = gamma2 * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LGAX];
-          gxd = gamma2d * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LGAX] + gamma2 *
-              pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LGAX];
-          cx = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PCX1] * p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_LCX];
-          cxd = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PCX1] * p[t->tyreadr[t->wheeltyre[n2]]
-              + MAGGI_TYRE_LCX] + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PCX1] *
-              pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LCX];
-          mux = (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDX1] + p[t->tyreadr[t->wheeltyre[n2]]
-              + MAGGI_TYRE_PDX2] * dfz) * (1.0 - p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDX3] *
-              gx * gx) * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMUX];
-          muxd = ((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDX1] +
-              (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDX2] * dfz +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDX2] * dfzd)) * (1.0 -
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDX3] * gx * gx) -
-              (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDX1] + p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_PDX2] * dfz) * ((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDX3] * gx +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDX3] * gxd) * gx +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDX3] * gx * gxd)) *
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMUX] + (p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_PDX1] + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDX2] * dfz) * (1.0 -
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDX3] * gx * gx) *
-              pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMUX];
-          dx = mux * fz2;
-          dxd = muxd * fz2 + mux * fz2d;
-          e3 = (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEX1] + p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_PEX2] * dfz + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEX3] * dfz *
-              dfz) * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LEX];
-          e3d = (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEX1] +
-              (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEX2] * dfz +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEX2] * dfzd) +
-              ((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEX3] * dfz +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEX3] * dfzd) * dfz +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEX3] * dfz * dfzd)) *
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LEX] + (p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_PEX1] + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEX2] * dfz +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEX3] * dfz * dfz) *
-              pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LEX];
-          if (MAGGI_RE(kx) > 0.0) {
-            e4 = e3 * (1.0 - p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEX4]);
-            e4d = e3d * (1.0 - p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEX4]) - e3 *
-                pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEX4];
-            /* a curvature: more than 1 would turn the curve around */
-            if (MAGGI_RE(e4) > 1.0) {
-              y3 = 1.0;
-              y3d = 0.0;
-            } else {
-              y3 = e4;
-              y3d = e4d;
-            }
-            ex = y3;
-            exd = y3d;
-          } else {
-            e5 = e3 * (1.0 + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEX4]);
-            e5d = e3d * (1.0 + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEX4]) + e3 *
-                pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEX4];
-            /* a curvature: more than 1 would turn the curve around */
-            if (MAGGI_RE(e5) > 1.0) {
-              y4 = 1.0;
-              y4d = 0.0;
-            } else {
-              y4 = e5;
-              y4d = e5d;
-            }
-            ex = y4;
-            exd = y4d;
-          }
-          t24 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKX3] * dfz;
-          t24d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKX3] * dfz +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKX3] * dfzd;
-          t25 = exp(t24);
-          t25d = t25 * t24d;
-          stiff = fz2 * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKX1] +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKX2] * dfz) * t25 *
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LKX];
-          stiffd = ((fz2d * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKX1] +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKX2] * dfz) + fz2 *
-              (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKX1] + (pd[t->tyreadr[t->wheeltyre[n2]]
-              + MAGGI_TYRE_PKX2] * dfz + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKX2] * dfzd)))
-              * t25 + fz2 * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKX1] +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKX2] * dfz) * t25d) *
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LKX] + fz2 *
-              (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKX1] + p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_PKX2] * dfz) * t25 * pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LKX];
-          t26 = cx * dx;
-          t26d = cxd * dx + cx * dxd;
-          bx = stiff / t26;
-          t26inv = 1.0 / t26;
-          bxd = (stiffd - bx * t26d) * t26inv;
-          svx = fz2 * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVX1] +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVX2] * dfz) *
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LVX] * p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_LMUX];
-          svxd = ((fz2d * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVX1] +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVX2] * dfz) + fz2 *
-              (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVX1] + (pd[t->tyreadr[t->wheeltyre[n2]]
-              + MAGGI_TYRE_PVX2] * dfz + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVX2] * dfzd)))
-              * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LVX] + fz2 *
-              (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVX1] + p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_PVX2] * dfz) * pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LVX]) *
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMUX] + fz2 *
-              (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVX1] + p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_PVX2] * dfz) * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LVX] *
-              pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMUX];
-          y5 = bx * kx;
-          /* C atan(B x - E (B x - atan(B x))), without a difference where E is 1 */
-          y5d = bxd * kx + bx * kxd;
-          t27 = atan(y5);
-          c22 = 1.0 / (1.0 + y5 * y5);
-          t27d = c22 * y5d;
-          t28 = (1.0 - ex) * y5 + ex * t27;
-          t28d = -(exd * y5) + (1.0 - ex) * y5d + (exd * t27 + ex * t27d);
-          t29 = atan(t28);
-          c23 = 1.0 / (1.0 + t28 * t28);
-          t29d = c23 * t28d;
-          t30 = cx * t29;
-          t30d = cxd * t29 + cx * t29d;
-          t31 = sin(t30);
-          c24 = cos(t30);
-          t31d = c24 * t30d;
-          x50 = dx * t31 + svx;
-          x50d = dxd * t31 + dx * t31d + svxd;
-          x51 = stiff;
-          x51d = stiffd;
-          fz0_3 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LFZO] *
-              p[t->tyreadr[t->wheeltyre[n2]]];
-          /* Fy0, Ky, muy, By Cy, SHy + SVy / Ky;  sin(2 atan(z)) = 2 z / (1 + z^2) */
-          fz0_3d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LFZO] *
-              p[t->tyreadr[t->wheeltyre[n2]]] + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LFZO] *
-              pd[t->tyreadr[t->wheeltyre[n2]]];
-          gy = gamma2 * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LGAY];
-          gyd = gamma2d * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LGAY] + gamma2 *
-              pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LGAY];
-          shy = (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PHY1] + p[t->tyreadr[t->wheeltyre[n2]]
-              + MAGGI_TYRE_PHY2] * dfz) * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LHY] +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PHY3] * gy;
-          shyd = (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PHY1] +
-              (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PHY2] * dfz +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PHY2] * dfzd)) *
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LHY] + (p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_PHY1] + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PHY2] * dfz) *
-              pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LHY] + (pd[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_PHY3] * gy + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PHY3] * gyd);
-          ay = a3 + shy;
-          ayd = a3d + shyd;
-          cy = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PCY1] * p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_LCY];
-          cyd = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PCY1] * p[t->tyreadr[t->wheeltyre[n2]]
-              + MAGGI_TYRE_LCY] + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PCY1] *
-              pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LCY];
-          muy = (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDY1] + p[t->tyreadr[t->wheeltyre[n2]]
-              + MAGGI_TYRE_PDY2] * dfz) * (1.0 - p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDY3] *
-              gy * gy) * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMUY];
-          muyd = ((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDY1] +
-              (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDY2] * dfz +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDY2] * dfzd)) * (1.0 -
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDY3] * gy * gy) -
-              (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDY1] + p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_PDY2] * dfz) * ((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDY3] * gy +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDY3] * gyd) * gy +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDY3] * gy * gyd)) *
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMUY] + (p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_PDY1] + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDY2] * dfz) * (1.0 -
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDY3] * gy * gy) *
-              pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMUY];
-          dy = muy * fz2;
-          dyd = muyd * fz2 + muy * fz2d;
-          e6 = (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY1] + p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_PEY2] * dfz) * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LEY];
-          e6d = (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY1] +
-              (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY2] * dfz +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY2] * dfzd)) *
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LEY] + (p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_PEY1] + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY2] * dfz) *
-              pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LEY];
-          if (MAGGI_RE(ay) > 0.0) {
-            e7 = e6 * (1.0 - (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY3] +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY4] * gy));
-            e7d = e6d * (1.0 - (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY3] +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY4] * gy)) - e6 *
-                (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY3] +
-                (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY4] * gy +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY4] * gyd));
-            /* a curvature: more than 1 would turn the curve around */
-            if (MAGGI_RE(e7) > 1.0) {
-              y6 = 1.0;
-              y6d = 0.0;
-            } else {
-              y6 = e7;
-              y6d = e7d;
-            }
-            ey = y6;
-            eyd = y6d;
-          } else {
-            e8 = e6 * (1.0 + (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY3] +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY4] * gy));
-            e8d = e6d * (1.0 + (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY3] +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY4] * gy)) + e6 *
-                (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY3] +
-                (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY4] * gy +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY4] * gyd));
-            /* a curvature: more than 1 would turn the curve around */
-            if (MAGGI_RE(e8) > 1.0) {
-              y7 = 1.0;
-              y7d = 0.0;
-            } else {
-              y7 = e8;
-              y7d = e8d;
-            }
-            ey = y7;
-            eyd = y7d;
-          }
-          t32 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKY2] * fz0_3;
-          t32d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKY2] * fz0_3 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKY2] * fz0_3d;
-          z4 = fz2 / t32;
-          t32inv = 1.0 / t32;
-          z4d = (fz2d - z4 * t32d) * t32inv;
-          /* |x|, with two continuous derivatives:  w (15 y^2 - 10 y^4 + 3 y^6) / 8,  y = x / w,  in |x| < w;  0 at 0,
-           * where straight running is, and exact from w on */
-          if (MAGGI_RE(gy) > MAGGI_RE(p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LOW_CAMBER])) {
-            y8 = gy;
-            y8d = gyd;
-          } else if (MAGGI_RE(gy) < -MAGGI_RE(p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_LOW_CAMBER])) {
-            y8 = -gy;
-            y8d = -gyd;
-          } else {
-            p5 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LOW_CAMBER];
-            p5d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LOW_CAMBER];
-            t33 = p5 * p5;
-            t33d = p5d * p5 + p5 * p5d;
-            z5 = gy * gy / t33;
-            t33inv = 1.0 / t33;
-            z5d = (gyd * gy + gy * gyd - z5 * t33d) * t33inv;
-            y8 = 0.125 * p5 * z5 * (15.0 + z5 * (-10.0 + 3.0 * z5));
-            y8d = (0.125 * p5d * z5 + 0.125 * p5 * z5d) * (15.0 + z5 * (-10.0 + 3.0 * z5)) + 0.125 *
-                p5 * z5 * (z5d * (-10.0 + 3.0 * z5) + z5 * (3.0 * z5d));
-          }
-          t34 = 1.0 + z4 * z4;
-          t34d = z4d * z4 + z4 * z4d;
-          t35 = 2.0 * z4 / t34;
-          t34inv = 1.0 / t34;
-          t35d = (2.0 * z4d - t35 * t34d) * t34inv;
-          stiff2 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKY1] * fz0_3 * t35 * (1.0 -
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKY3] * y8) *
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LKY];
-          stiff2d = (((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKY1] * fz0_3 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKY1] * fz0_3d) * t35 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKY1] * fz0_3 * t35d) * (1.0 -
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKY3] * y8) -
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKY1] * fz0_3 * t35 *
-              (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKY3] * y8 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKY3] * y8d)) *
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LKY] + p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_PKY1] * fz0_3 * t35 * (1.0 - p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_PKY3] * y8) * pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LKY];
-          t36 = cy * dy;
-          t36d = cyd * dy + cy * dyd;
-          by = stiff2 / t36;
-          t36inv = 1.0 / t36;
-          byd = (stiff2d - by * t36d) * t36inv;
-          svy = fz2 * ((p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVY1] +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVY2] * dfz) *
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LVY] + (p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_PVY3] + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVY4] * dfz) * gy) *
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMUY];
-          svyd = (fz2d * ((p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVY1] +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVY2] * dfz) *
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LVY] + (p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_PVY3] + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVY4] * dfz) * gy) +
-              fz2 * ((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVY1] +
-              (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVY2] * dfz +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVY2] * dfzd)) *
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LVY] + (p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_PVY1] + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVY2] * dfz) *
-              pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LVY] + ((pd[t->tyreadr[t->wheeltyre[n2]]
-              + MAGGI_TYRE_PVY3] + (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVY4] * dfz +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVY4] * dfzd)) * gy +
-              (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVY3] + p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_PVY4] * dfz) * gyd))) * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMUY] +
-              fz2 * ((p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVY1] +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVY2] * dfz) *
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LVY] + (p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_PVY3] + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVY4] * dfz) * gy) *
-              pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMUY];
-          y9 = by * ay;
-          /* C atan(B x - E (B x - atan(B x))), without a difference where E is 1 */
-          y9d = byd * ay + by * ayd;
-          t37 = atan(y9);
-          c25 = 1.0 / (1.0 + y9 * y9);
-          t37d = c25 * y9d;
-          t38 = (1.0 - ey) * y9 + ey * t37;
-          t38d = -(eyd * y9) + (1.0 - ey) * y9d + (eyd * t37 + ey * t37d);
-          t39 = atan(t38);
-          c26 = 1.0 / (1.0 + t38 * t38);
-          t39d = c26 * t38d;
-          t40 = cy * t39;
-          t40d = cyd * t39 + cy * t39d;
-          t41 = sin(t40);
-          c27 = cos(t40);
-          t41d = c27 * t40d;
-          y20 = dy * t41 + svy;
-          y20d = dyd * t41 + dy * t41d + svyd;
-          y21 = stiff2;
-          y21d = stiff2d;
-          y22 = muy;
-          y22d = muyd;
-          y23 = by * cy;
-          y23d = byd * cy + by * cyd;
-          t42 = svy / stiff2;
-          stiff2inv = 1.0 / stiff2;
-          t42d = (svyd - t42 * stiff2d) * stiff2inv;
-          y24 = shy + t42;
-          y24d = shyd + t42d;
-          muy2 = y22;
-          muy2d = y22d;
-          x6 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RBY2] * (a3 -
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RBY3]);
-          /* Gyk, SVyk:  Fy = Gyk Fy0 + SVyk */
-          x6d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RBY2] * (a3 -
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RBY3]) + p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_RBY2] * (a3d - pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RBY3]);
-          t43 = 1.0 + x6 * x6;
-          t43d = x6d * x6 + x6 * x6d;
-          t44 = sqrt(t43);
-          c28 = 1.0 / (2.0 * t44);
-          t44d = c28 * t43d;
-          t45 = 1.0 / t44;
-          t44inv = 1.0 / t44;
-          t45d = -(t45 * t44d * t44inv);
-          stiff3 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RBY1] * t45 *
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LYKA];
-          stiff3d = (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RBY1] * t45 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RBY1] * t45d) *
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LYKA] + p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_RBY1] * t45 * pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LYKA];
-          e10 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_REY1] + p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_REY2] * dfz;
-          e10d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_REY1] +
-              (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_REY2] * dfz +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_REY2] * dfzd);
+      /* slopes of the formula, which a tyre of the other side has as well; 0 in the air */
+      if (MAGGI_RE(grip[n2][2]) > 0.0) {
+        one0 = slip[n2][MAGGI_SLIP_KAPPA];
+        one0d = slipd[n2][MAGGI_SLIP_KAPPA];
+        one1 = side * slip[n2][MAGGI_SLIP_TAN_ALPHA];
+        one1d = side * slipd[n2][MAGGI_SLIP_TAN_ALPHA];
+        one2 = side * slip[n2][MAGGI_SLIP_GAMMA];
+        one2d = side * slipd[n2][MAGGI_SLIP_GAMMA];
+        one3 = grip[n2][2];
+        one3d = gripd[n2][2];
+        kappa = one0;
+        kappad = one0d;
+        a2 = one1;
+        a2d = one1d;
+        gamma = one2;
+        gammad = one2d;
+        fz = one3;
+        fzd = one3d;
+        fz0 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LFZO] * p[t->tyreadr[t->wheeltyre[n2]]];
+        fz0d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LFZO] * p[t->tyreadr[t->wheeltyre[n2]]]
+            + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LFZO] * pd[t->tyreadr[t->wheeltyre[n2]]];
+        dfz = (fz - fz0) / fz0;
+        fz0inv = 1.0 / fz0;
+        dfzd = (fzd - fz0d - dfz * fz0d) * fz0inv;
+        kx = kappa + (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PHX1] +
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PHX2] * dfz) *
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LHX];
+        kxd = kappad + ((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PHX1] +
+            (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PHX2] * dfz +
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PHX2] * dfzd)) *
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LHX] + (p[t->tyreadr[t->wheeltyre[n2]] +
+            MAGGI_TYRE_PHX1] + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PHX2] * dfz) *
+            pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LHX]);
+        gx2 = gamma * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LGAX];
+        gx2d = gammad * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LGAX] + gamma *
+            pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LGAX];
+        mux = (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDX1] + p[t->tyreadr[t->wheeltyre[n2]] +
+            MAGGI_TYRE_PDX2] * dfz) * (1.0 - p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDX3] * gx2
+            * gx2) * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMUX];
+        muxd = ((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDX1] +
+            (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDX2] * dfz +
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDX2] * dfzd)) * (1.0 -
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDX3] * gx2 * gx2) -
+            (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDX1] + p[t->tyreadr[t->wheeltyre[n2]] +
+            MAGGI_TYRE_PDX2] * dfz) * ((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDX3] * gx2 +
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDX3] * gx2d) * gx2 +
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDX3] * gx2 * gx2d)) *
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMUX] + (p[t->tyreadr[t->wheeltyre[n2]] +
+            MAGGI_TYRE_PDX1] + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDX2] * dfz) * (1.0 -
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDX3] * gx2 * gx2) *
+            pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMUX];
+        e3 = (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEX1] + (p[t->tyreadr[t->wheeltyre[n2]] +
+            MAGGI_TYRE_PEX2] + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEX3] * dfz) * dfz) *
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LEX];
+        e3d = (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEX1] +
+            ((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEX2] + (pd[t->tyreadr[t->wheeltyre[n2]]
+            + MAGGI_TYRE_PEX3] * dfz + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEX3] * dfzd)) *
+            dfz + (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEX2] +
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEX3] * dfz) * dfzd)) *
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LEX] + (p[t->tyreadr[t->wheeltyre[n2]] +
+            MAGGI_TYRE_PEX1] + (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEX2] +
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEX3] * dfz) * dfz) *
+            pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LEX];
+        if (MAGGI_RE(kx) > 0.0) {
+          e4 = e3 * (1.0 - p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEX4]);
+          e4d = e3d * (1.0 - p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEX4]) - e3 *
+              pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEX4];
           /* a curvature: more than 1 would turn the curve around */
-          if (MAGGI_RE(e10) > 1.0) {
-            y10 = 1.0;
-            y10d = 0.0;
+          if (MAGGI_RE(e4) > 1.0) {
+            y2 = 1.0;
+            y2d = 0.0;
           } else {
-            y10 = e10;
-            y10d = e10d;
+            y2 = e4;
+            y2d = e4d;
           }
-          e9 = y10;
-          e9d = y10d;
-          s4 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RHY1] + p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_RHY2] * dfz;
-          s4d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RHY1] +
-              (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RHY2] * dfz +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RHY2] * dfzd);
-          x7 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY4] * a3;
-          x7d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY4] * a3 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY4] * a3d;
-          t46 = 1.0 + x7 * x7;
-          t46d = x7d * x7 + x7 * x7d;
-          t47 = sqrt(t46);
-          c29 = 1.0 / (2.0 * t47);
-          t47d = c29 * t46d;
-          t48 = 1.0 / t47;
-          t47inv = 1.0 / t47;
-          t48d = -(t48 * t47d * t47inv);
-          dv = muy2 * fz2 * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY1] +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY2] * dfz +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY3] * gamma2) * t48;
-          dvd = ((muy2d * fz2 + muy2 * fz2d) * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY1] +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY2] * dfz +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY3] * gamma2) + muy2 * fz2 *
-              (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY1] + (pd[t->tyreadr[t->wheeltyre[n2]]
-              + MAGGI_TYRE_RVY2] * dfz + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY2] * dfzd) +
-              (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY3] * gamma2 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY3] * gamma2d))) * t48 + muy2 * fz2 *
-              (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY1] + p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_RVY2] * dfz + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY3] * gamma2) *
-              t48d;
-          y11 = stiff3 * (kappa2 + s4);
-          /* C atan(B x - E (B x - atan(B x))), without a difference where E is 1 */
-          y11d = stiff3d * (kappa2 + s4) + stiff3 * (kappa2d + s4d);
-          y12 = stiff3 * s4;
-          /* C atan(B x - E (B x - atan(B x))), without a difference where E is 1 */
-          y12d = stiff3d * s4 + stiff3 * s4d;
-          t49 = atan(y11);
-          c30 = 1.0 / (1.0 + y11 * y11);
-          t49d = c30 * y11d;
-          t50 = (1.0 - e9) * y11 + e9 * t49;
-          t50d = -(e9d * y11) + (1.0 - e9) * y11d + (e9d * t49 + e9 * t49d);
-          t51 = atan(t50);
-          c31 = 1.0 / (1.0 + t50 * t50);
-          t51d = c31 * t50d;
-          p6 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RCY1];
-          p6d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RCY1];
-          t52 = p6 * t51;
-          t52d = p6d * t51 + p6 * t51d;
-          t53 = cos(t52);
-          c32 = -sin(t52);
-          t53d = c32 * t52d;
-          t54 = atan(y12);
-          c33 = 1.0 / (1.0 + y12 * y12);
-          t54d = c33 * y12d;
-          t55 = (1.0 - e9) * y12 + e9 * t54;
-          t55d = -(e9d * y12) + (1.0 - e9) * y12d + (e9d * t54 + e9 * t54d);
-          t56 = atan(t55);
-          c34 = 1.0 / (1.0 + t55 * t55);
-          t56d = c34 * t55d;
-          t57 = p6 * t56;
-          t57d = p6d * t56 + p6 * t56d;
-          t58 = cos(t57);
-          c35 = -sin(t57);
-          t58d = c35 * t57d;
-          g20 = t53 / t58;
-          t58inv = 1.0 / t58;
-          g20d = (t53d - g20 * t58d) * t58inv;
-          t59 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY6] * kappa2;
-          t59d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY6] * kappa2 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY6] * kappa2d;
-          t60 = atan(t59);
-          c36 = 1.0 / (1.0 + t59 * t59);
-          t60d = c36 * t59d;
-          t61 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY5] * t60;
-          t61d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY5] * t60 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY5] * t60d;
-          t62 = sin(t61);
-          c37 = cos(t61);
-          t62d = c37 * t61d;
-          g21 = dv * t62 * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LVYKA];
-          g21d = (dvd * t62 + dv * t62d) * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LVYKA] + dv *
-              t62 * pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LVYKA];
-          x8 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RBX2] * kappa2;
-          /* Gxa = Fx / Fx0 */
-          x8d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RBX2] * kappa2 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RBX2] * kappa2d;
-          t63 = 1.0 + x8 * x8;
-          t63d = x8d * x8 + x8 * x8d;
-          t64 = sqrt(t63);
-          c38 = 1.0 / (2.0 * t64);
-          t64d = c38 * t63d;
-          t65 = 1.0 / t64;
-          t64inv = 1.0 / t64;
-          t65d = -(t65 * t64d * t64inv);
-          stiff4 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RBX1] * t65 *
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LXAL];
-          stiff4d = (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RBX1] * t65 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RBX1] * t65d) *
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LXAL] + p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_RBX1] * t65 * pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LXAL];
-          e12 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_REX1] + p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_REX2] * dfz;
-          e12d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_REX1] +
-              (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_REX2] * dfz +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_REX2] * dfzd);
-          /* a curvature: more than 1 would turn the curve around */
-          if (MAGGI_RE(e12) > 1.0) {
-            y13 = 1.0;
-            y13d = 0.0;
-          } else {
-            y13 = e12;
-            y13d = e12d;
-          }
-          e11 = y13;
-          e11d = y13d;
-          p7 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RHX1];
-          p7d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RHX1];
-          y14 = stiff4 * (a3 + p7);
-          /* C atan(B x - E (B x - atan(B x))), without a difference where E is 1 */
-          y14d = stiff4d * (a3 + p7) + stiff4 * (a3d + p7d);
-          y15 = stiff4 * p7;
-          /* C atan(B x - E (B x - atan(B x))), without a difference where E is 1 */
-          y15d = stiff4d * p7 + stiff4 * p7d;
-          t66 = atan(y14);
-          c39 = 1.0 / (1.0 + y14 * y14);
-          t66d = c39 * y14d;
-          t67 = (1.0 - e11) * y14 + e11 * t66;
-          t67d = -(e11d * y14) + (1.0 - e11) * y14d + (e11d * t66 + e11 * t66d);
-          t68 = atan(t67);
-          c40 = 1.0 / (1.0 + t67 * t67);
-          t68d = c40 * t67d;
-          p8 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RCX1];
-          p8d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RCX1];
-          t69 = p8 * t68;
-          t69d = p8d * t68 + p8 * t68d;
-          t70 = cos(t69);
-          c41 = -sin(t69);
-          t70d = c41 * t69d;
-          t71 = atan(y15);
-          c42 = 1.0 / (1.0 + y15 * y15);
-          t71d = c42 * y15d;
-          t72 = (1.0 - e11) * y15 + e11 * t71;
-          t72d = -(e11d * y15) + (1.0 - e11) * y15d + (e11d * t71 + e11 * t71d);
-          t73 = atan(t72);
-          c43 = 1.0 / (1.0 + t72 * t72);
-          t73d = c43 * t72d;
-          t74 = p8 * t73;
-          t74d = p8d * t73 + p8 * t73d;
-          t75 = cos(t74);
-          c44 = -sin(t74);
-          t75d = c44 * t74d;
-          t76 = t70 / t75;
-          t75inv = 1.0 / t75;
-          t76d = (t70d - t76 * t75d) * t75inv;
-          fx = x50 * t76;
-          fxd = x50d * t76 + x50 * t76d;
-          fy = g20 * y20 + g21;
-          fyd = g20d * y20 + g20 * y20d + g21d;
-          ratio2 = x51 * kappa2 / y21;
-          y21inv = 1.0 / y21;
-          ratio2d = (x51d * kappa2 + x51 * kappa2d - ratio2 * y21d) * y21inv;
-          bycy = y23;
-          bycyd = y23d;
-          shift = y24;
-          shiftd = y24d;
-          fz0_4 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LFZO] *
-              p[t->tyreadr[t->wheeltyre[n2]]];
-          /* trail t at the slip `at` and residual moment Mzr at `ar`, each with the part `ratio` of kappa:
-           *   at_eq = sqrt(at^2 + ratio^2),  ar_eq likewise; sqrt has no derivative at 0, 1e-24 is added */
-          fz0_4d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LFZO] *
-              p[t->tyreadr[t->wheeltyre[n2]]] + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LFZO] *
-              pd[t->tyreadr[t->wheeltyre[n2]]];
-          gz = gamma2 * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LGAZ];
-          gzd = gamma2d * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LGAZ] + gamma2 *
-              pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LGAZ];
-          at = a3 + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QHZ1] +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QHZ2] * dfz +
-              (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QHZ3] + p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_QHZ4] * dfz) * gz;
-          atd = a3d + pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QHZ1] +
-              (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QHZ2] * dfz +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QHZ2] * dfzd) +
-              ((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QHZ3] +
-              (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QHZ4] * dfz +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QHZ4] * dfzd)) * gz +
-              (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QHZ3] + p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_QHZ4] * dfz) * gzd);
-          ar = a3 + shift;
-          ard = a3d + shiftd;
-          t77 = at * at + ratio2 * ratio2 + 1e-24;
-          t77d = atd * at + at * atd + (ratio2d * ratio2 + ratio2 * ratio2d);
-          ateq = sqrt(t77);
-          c45 = 1.0 / (2.0 * ateq);
-          ateqd = c45 * t77d;
-          t78 = ar * ar + ratio2 * ratio2 + 1e-24;
-          t78d = ard * ar + ar * ard + (ratio2d * ratio2 + ratio2 * ratio2d);
-          areq = sqrt(t78);
-          c46 = 1.0 / (2.0 * areq);
-          areqd = c46 * t78d;
-          /* |x|, with two continuous derivatives:  w (15 y^2 - 10 y^4 + 3 y^6) / 8,  y = x / w,  in |x| < w;  0 at 0,
-           * where straight running is, and exact from w on */
-          if (MAGGI_RE(gz) > MAGGI_RE(p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LOW_CAMBER])) {
-            y16 = gz;
-            y16d = gzd;
-          } else if (MAGGI_RE(gz) < -MAGGI_RE(p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_LOW_CAMBER])) {
-            y16 = -gz;
-            y16d = -gzd;
-          } else {
-            p9 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LOW_CAMBER];
-            p9d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LOW_CAMBER];
-            t79 = p9 * p9;
-            t79d = p9d * p9 + p9 * p9d;
-            z6 = gz * gz / t79;
-            t79inv = 1.0 / t79;
-            z6d = (gzd * gz + gz * gzd - z6 * t79d) * t79inv;
-            y16 = 0.125 * p9 * z6 * (15.0 + z6 * (-10.0 + 3.0 * z6));
-            y16d = (0.125 * p9d * z6 + 0.125 * p9 * z6d) * (15.0 + z6 * (-10.0 + 3.0 * z6)) + 0.125
-                * p9 * z6 * (z6d * (-10.0 + 3.0 * z6) + z6 * (3.0 * z6d));
-          }
-          bt = (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QBZ1] + p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_QBZ2] * dfz + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QBZ3] * dfz *
-              dfz) * (1.0 + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QBZ4] * gz +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QBZ5] * y16) *
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LKY] / p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_LMUY];
-          inv = 1.0 / p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMUY];
-          btd = (((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QBZ1] +
-              (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QBZ2] * dfz +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QBZ2] * dfzd) +
-              ((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QBZ3] * dfz +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QBZ3] * dfzd) * dfz +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QBZ3] * dfz * dfzd)) * (1.0 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QBZ4] * gz +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QBZ5] * y16) +
-              (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QBZ1] + p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_QBZ2] * dfz + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QBZ3] * dfz *
-              dfz) * (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QBZ4] * gz +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QBZ4] * gzd +
-              (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QBZ5] * y16 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QBZ5] * y16d))) *
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LKY] + (p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_QBZ1] + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QBZ2] * dfz +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QBZ3] * dfz * dfz) * (1.0 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QBZ4] * gz +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QBZ5] * y16) *
-              pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LKY] - bt *
-              pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMUY]) * inv;
-          t80 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_UNLOADED_RADIUS] / fz0_4;
-          fz0_4inv = 1.0 / fz0_4;
-          t80d = (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_UNLOADED_RADIUS] - t80 * fz0_4d) *
-              fz0_4inv;
-          dt = fz2 * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ1] +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ2] * dfz) * (1.0 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ3] * gz +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ4] * gz * gz) * t80 *
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LTR];
-          dtd = (((fz2d * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ1] +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ2] * dfz) + fz2 *
-              (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ1] + (pd[t->tyreadr[t->wheeltyre[n2]]
-              + MAGGI_TYRE_QDZ2] * dfz + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ2] * dfzd)))
-              * (1.0 + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ3] * gz +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ4] * gz * gz) + fz2 *
-              (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ1] + p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_QDZ2] * dfz) * (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ3] * gz +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ3] * gzd +
-              ((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ4] * gz +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ4] * gzd) * gz +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ4] * gz * gzd))) * t80 + fz2 *
-              (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ1] + p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_QDZ2] * dfz) * (1.0 + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ3] *
-              gz + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ4] * gz * gz) * t80d) *
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LTR] + fz2 *
-              (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ1] + p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_QDZ2] * dfz) * (1.0 + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ3] *
-              gz + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ4] * gz * gz) * t80 *
-              pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LTR];
-          t81 = bt * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QCZ1] * at;
-          t81d = (btd * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QCZ1] + bt *
-              pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QCZ1]) * at + bt *
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QCZ1] * atd;
-          t82 = atan(t81);
-          c47 = 1.0 / (1.0 + t81 * t81);
-          t82d = c47 * t81d;
-          e13 = (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QEZ1] + p[t->tyreadr[t->wheeltyre[n2]]
-              + MAGGI_TYRE_QEZ2] * dfz + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QEZ3] * dfz *
-              dfz) * (1.0 + (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QEZ4] +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QEZ5] * gz) * 0.63661977236758134308 *
-              t82);
-          e13d = (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QEZ1] +
-              (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QEZ2] * dfz +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QEZ2] * dfzd) +
-              ((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QEZ3] * dfz +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QEZ3] * dfzd) * dfz +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QEZ3] * dfz * dfzd)) * (1.0 +
-              (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QEZ4] + p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_QEZ5] * gz) * 0.63661977236758134308 * t82) +
-              (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QEZ1] + p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_QEZ2] * dfz + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QEZ3] * dfz *
-              dfz) * ((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QEZ4] +
-              (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QEZ5] * gz +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QEZ5] * gzd)) * 0.63661977236758134308 *
-              t82 + (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QEZ4] +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QEZ5] * gz) * 0.63661977236758134308 *
-              t82d);
-          /* a curvature: more than 1 would turn the curve around */
-          if (MAGGI_RE(e13) > 1.0) {
-            y17 = 1.0;
-            y17d = 0.0;
-          } else {
-            y17 = e13;
-            y17d = e13d;
-          }
-          et = y17;
-          etd = y17d;
-          p10 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMUY];
-          p10d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMUY];
-          t83 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QBZ9] * p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_LKY] / p10;
-          p10inv = 1.0 / p10;
-          t83d = (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QBZ9] *
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LKY] + p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_QBZ9] * pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LKY] - t83 * p10d) *
-              p10inv;
-          br = t83 + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QBZ10] * bycy;
-          brd = t83d + (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QBZ10] * bycy +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QBZ10] * bycyd);
-          dr = fz2 * ((p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ6] +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ7] * dfz) *
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LRES] + (p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_QDZ8] + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ9] * dfz) * gz) *
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_UNLOADED_RADIUS] * p10;
-          drd = ((fz2d * ((p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ6] +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ7] * dfz) *
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LRES] + (p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_QDZ8] + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ9] * dfz) * gz) +
-              fz2 * ((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ6] +
-              (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ7] * dfz +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ7] * dfzd)) *
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LRES] + (p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_QDZ6] + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ7] * dfz) *
-              pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LRES] + ((pd[t->tyreadr[t->wheeltyre[n2]]
-              + MAGGI_TYRE_QDZ8] + (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ9] * dfz +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ9] * dfzd)) * gz +
-              (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ8] + p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_QDZ9] * dfz) * gzd))) * p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_UNLOADED_RADIUS] + fz2 * ((p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_QDZ6] + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ7] * dfz) *
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LRES] + (p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_QDZ8] + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ9] * dfz) * gz) *
-              pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_UNLOADED_RADIUS]) * p10 + fz2 *
-              ((p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ6] + p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_QDZ7] * dfz) * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LRES] +
-              (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ8] + p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_QDZ9] * dfz) * gz) * p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_UNLOADED_RADIUS] * p10d;
-          t84 = 1.0 + a3 * a3;
-          t84d = a3d * a3 + a3 * a3d;
-          t85 = sqrt(t84);
-          c48 = 1.0 / (2.0 * t85);
-          t85d = c48 * t84d;
-          ca = 1.0 / t85;
-          t85inv = 1.0 / t85;
-          cad = -(ca * t85d * t85inv);
-          y18 = bt * ateq;
-          /* C atan(B x - E (B x - atan(B x))), without a difference where E is 1 */
-          y18d = btd * ateq + bt * ateqd;
-          t86 = atan(y18);
-          c49 = 1.0 / (1.0 + y18 * y18);
-          t86d = c49 * y18d;
-          t87 = (1.0 - et) * y18 + et * t86;
-          t87d = -(etd * y18) + (1.0 - et) * y18d + (etd * t86 + et * t86d);
-          t88 = atan(t87);
-          c50 = 1.0 / (1.0 + t87 * t87);
-          t88d = c50 * t87d;
-          t89 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QCZ1] * t88;
-          t89d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QCZ1] * t88 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QCZ1] * t88d;
-          t90 = cos(t89);
-          c51 = -sin(t89);
-          t90d = c51 * t89d;
-          z30 = dt * t90 * ca;
-          z30d = (dtd * t90 + dt * t90d) * ca + dt * t90 * cad;
-          x9 = br * areq;
-          x9d = brd * areq + br * areqd;
-          t91 = 1.0 + x9 * x9;
-          t91d = x9d * x9 + x9 * x9d;
-          t92 = sqrt(t91);
-          c52 = 1.0 / (2.0 * t92);
-          t92d = c52 * t91d;
-          t93 = 1.0 / t92;
-          t92inv = 1.0 / t92;
-          t93d = -(t93 * t92d * t92inv);
-          z31d = (drd * t93 + dr * t93d) * ca + dr * t93 * cad;
-          t94 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_SSZ2] * fy / fz0_2;
-          t94d = (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_SSZ2] * fy +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_SSZ2] * fyd - t94 * fz0_2d) * fz0_2inv;
-          s3 = (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_SSZ1] + t94 +
-              (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_SSZ3] + p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_SSZ4] * dfz) * gamma2) * r0 * p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_LS];
-          s3d = ((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_SSZ1] + t94d +
-              ((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_SSZ3] +
-              (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_SSZ4] * dfz +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_SSZ4] * dfzd)) * gamma2 +
-              (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_SSZ3] + p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_SSZ4] * dfz) * gamma2d)) * r0 + (p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_SSZ1] + t94 + (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_SSZ3] +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_SSZ4] * dfz) * gamma2) * r0d) *
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LS] + (p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_SSZ1] + t94 + (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_SSZ3] +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_SSZ4] * dfz) * gamma2) * r0 *
-              pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LS];
-          t95 = one4 / p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LOW_SPEED];
-          inv2 = 1.0 / p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LOW_SPEED];
-          t95d = (one4d - t95 * pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LOW_SPEED]) * inv2;
-          way = tanh(t95);
-          wayd = (1.0 - way * way) * t95d;
-          speed2 = one4 / p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LONGVL];
-          inv3 = 1.0 / p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LONGVL];
-          speed2d = (one4d - speed2 * pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LONGVL]) * inv3;
-          force0d = fxd;
-          force1d = fyd;
-          force2d = fz2d;
-          t96 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSX3] * fy / fz0_2;
-          t96d = (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSX3] * fy +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSX3] * fyd - t96 * fz0_2d) * fz0_2inv;
-          force3d = (r0d * fz2 + r0 * fz2d) * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSX1] *
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LVMX] + (-p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_QSX2] * gamma2 + t96) * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMX]) +
-              r0 * fz2 * (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSX1] *
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LVMX] + p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_QSX1] * pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LVMX] +
-              ((-(pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSX2] * gamma2) -
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSX2] * gamma2d + t96d) *
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMX] + (-p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_QSX2] * gamma2 + t96) * pd[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_LMX]));
-          t97 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY2] * fx / fz0_2;
-          t97d = (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY2] * fx +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY2] * fxd - t97 * fz0_2d) * fz0_2inv;
-          force4d = (((-(wayd * r0) - way * r0d) * fz2 + -way * r0 * fz2d) *
-              (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY1] + t97 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * way * speed2 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2 * speed2 * speed2 * speed2)
-              + -way * r0 * fz2 * (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY1] + t97d +
-              ((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * way +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * wayd) * speed2 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * way * speed2d) +
-              ((((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2d) * speed2 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2 * speed2d) * speed2 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2 * speed2 * speed2d) *
-              speed2 + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2 * speed2 * speed2
-              * speed2d))) * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMY] + -way * r0 * fz2 *
-              (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY1] + t97 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * way * speed2 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2 * speed2 * speed2 * speed2)
-              * pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMY];
-          force5d = -(z30d * (fy - g21)) - z30 * (fyd - g21d) + z31d + (s3d * fx + s3 * fxd);
-          rolling0d = force0d;
-          rolling1d = side * force1d;
-          rolling2d = force2d;
-          rolling3d = side * force3d;
-          rolling4d = force4d;
-          rolling5d = side * force5d;
+          ex = y2;
+          exd = y2d;
         } else {
-          rolling0d = 0.0;
-          rolling1d = 0.0;
-          rolling2d = fzd;
-          rolling3d = 0.0;
-          rolling4d = 0.0;
-          rolling5d = 0.0;
+          e5 = e3 * (1.0 + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEX4]);
+          e5d = e3d * (1.0 + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEX4]) + e3 *
+              pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEX4];
+          /* a curvature: more than 1 would turn the curve around */
+          if (MAGGI_RE(e5) > 1.0) {
+            y3 = 1.0;
+            y3d = 0.0;
+          } else {
+            y3 = e5;
+            y3d = e5d;
+          }
+          ex = y3;
+          exd = y3d;
         }
+        x30 = mux * fz;
+        x30d = muxd * fz + mux * fzd;
+        x31 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PCX1] * p[t->tyreadr[t->wheeltyre[n2]] +
+            MAGGI_TYRE_LCX];
+        x31d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PCX1] * p[t->tyreadr[t->wheeltyre[n2]] +
+            MAGGI_TYRE_LCX] + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PCX1] *
+            pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LCX];
+        x32 = ex;
+        x32d = exd;
+        t8 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKX3] * dfz;
+        t8d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKX3] * dfz +
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKX3] * dfzd;
+        t9 = exp(t8);
+        t9d = t9 * t8d;
+        x33 = fz * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKX1] +
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKX2] * dfz) * t9 *
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LKX];
+        x33d = ((fzd * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKX1] +
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKX2] * dfz) + fz *
+            (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKX1] + (pd[t->tyreadr[t->wheeltyre[n2]] +
+            MAGGI_TYRE_PKX2] * dfz + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKX2] * dfzd))) *
+            t9 + fz * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKX1] +
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKX2] * dfz) * t9d) *
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LKX] + fz * (p[t->tyreadr[t->wheeltyre[n2]]
+            + MAGGI_TYRE_PKX1] + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKX2] * dfz) * t9 *
+            pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LKX];
+        x34 = kx;
+        x34d = kxd;
+        x35 = fz * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVX1] +
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVX2] * dfz) *
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LVX] * p[t->tyreadr[t->wheeltyre[n2]] +
+            MAGGI_TYRE_LMUX];
+        x35d = ((fzd * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVX1] +
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVX2] * dfz) + fz *
+            (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVX1] + (pd[t->tyreadr[t->wheeltyre[n2]] +
+            MAGGI_TYRE_PVX2] * dfz + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVX2] * dfzd))) *
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LVX] + fz * (p[t->tyreadr[t->wheeltyre[n2]]
+            + MAGGI_TYRE_PVX1] + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVX2] * dfz) *
+            pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LVX]) * p[t->tyreadr[t->wheeltyre[n2]] +
+            MAGGI_TYRE_LMUX] + fz * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVX1] +
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVX2] * dfz) *
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LVX] * pd[t->tyreadr[t->wheeltyre[n2]] +
+            MAGGI_TYRE_LMUX];
+        fz0_2 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LFZO] * p[t->tyreadr[t->wheeltyre[n2]]];
+        /* sin(2 atan(z)) = 2 z / (1 + z^2) */
+        fz0_2d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LFZO] *
+            p[t->tyreadr[t->wheeltyre[n2]]] + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LFZO] *
+            pd[t->tyreadr[t->wheeltyre[n2]]];
+        gy2 = gamma * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LGAY];
+        gy2d = gammad * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LGAY] + gamma *
+            pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LGAY];
+        ay = a2 + (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PHY1] +
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PHY2] * dfz) *
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LHY] + p[t->tyreadr[t->wheeltyre[n2]] +
+            MAGGI_TYRE_PHY3] * gy2;
+        ayd = a2d + ((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PHY1] +
+            (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PHY2] * dfz +
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PHY2] * dfzd)) *
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LHY] + (p[t->tyreadr[t->wheeltyre[n2]] +
+            MAGGI_TYRE_PHY1] + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PHY2] * dfz) *
+            pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LHY]) + (pd[t->tyreadr[t->wheeltyre[n2]] +
+            MAGGI_TYRE_PHY3] * gy2 + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PHY3] * gy2d);
+        muy = (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDY1] + p[t->tyreadr[t->wheeltyre[n2]] +
+            MAGGI_TYRE_PDY2] * dfz) * (1.0 - p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDY3] * gy2
+            * gy2) * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMUY];
+        muyd = ((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDY1] +
+            (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDY2] * dfz +
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDY2] * dfzd)) * (1.0 -
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDY3] * gy2 * gy2) -
+            (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDY1] + p[t->tyreadr[t->wheeltyre[n2]] +
+            MAGGI_TYRE_PDY2] * dfz) * ((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDY3] * gy2 +
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDY3] * gy2d) * gy2 +
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDY3] * gy2 * gy2d)) *
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMUY] + (p[t->tyreadr[t->wheeltyre[n2]] +
+            MAGGI_TYRE_PDY1] + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDY2] * dfz) * (1.0 -
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDY3] * gy2 * gy2) *
+            pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMUY];
+        e6 = (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY1] + p[t->tyreadr[t->wheeltyre[n2]] +
+            MAGGI_TYRE_PEY2] * dfz) * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LEY];
+        e6d = (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY1] + (pd[t->tyreadr[t->wheeltyre[n2]]
+            + MAGGI_TYRE_PEY2] * dfz + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY2] * dfzd)) *
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LEY] + (p[t->tyreadr[t->wheeltyre[n2]] +
+            MAGGI_TYRE_PEY1] + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY2] * dfz) *
+            pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LEY];
+        if (MAGGI_RE(ay) > 0.0) {
+          e7 = e6 * (1.0 - (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY3] +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY4] * gy2));
+          e7d = e6d * (1.0 - (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY3] +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY4] * gy2)) - e6 *
+              (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY3] + (pd[t->tyreadr[t->wheeltyre[n2]]
+              + MAGGI_TYRE_PEY4] * gy2 + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY4] * gy2d));
+          /* a curvature: more than 1 would turn the curve around */
+          if (MAGGI_RE(e7) > 1.0) {
+            y4 = 1.0;
+            y4d = 0.0;
+          } else {
+            y4 = e7;
+            y4d = e7d;
+          }
+          ey = y4;
+          eyd = y4d;
+        } else {
+          e8 = e6 * (1.0 + (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY3] +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY4] * gy2));
+          e8d = e6d * (1.0 + (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY3] +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY4] * gy2)) + e6 *
+              (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY3] + (pd[t->tyreadr[t->wheeltyre[n2]]
+              + MAGGI_TYRE_PEY4] * gy2 + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY4] * gy2d));
+          /* a curvature: more than 1 would turn the curve around */
+          if (MAGGI_RE(e8) > 1.0) {
+            y5 = 1.0;
+            y5d = 0.0;
+          } else {
+            y5 = e8;
+            y5d = e8d;
+          }
+          ey = y5;
+          eyd = y5d;
+        }
+        t10 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKY2] * fz0_2;
+        t10d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKY2] * fz0_2 +
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKY2] * fz0_2d;
+        z2 = fz / t10;
+        t10inv = 1.0 / t10;
+        z2d = (fzd - z2 * t10d) * t10inv;
+        y0_3 = muy * fz;
+        y0_3d = muyd * fz + muy * fzd;
+        y1 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PCY1] * p[t->tyreadr[t->wheeltyre[n2]] +
+            MAGGI_TYRE_LCY];
+        y1d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PCY1] * p[t->tyreadr[t->wheeltyre[n2]] +
+            MAGGI_TYRE_LCY] + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PCY1] *
+            pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LCY];
+        y2_2 = ey;
+        y2_2d = eyd;
+        /* |x|, with two continuous derivatives:  w (15 y^2 - 10 y^4 + 3 y^6) / 8,  y = x / w,  in |x| < w;  0 at 0,
+         * where straight running is, and exact from w on */
+        if (MAGGI_RE(gy2) > MAGGI_RE(p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LOW_CAMBER])) {
+          y6 = gy2;
+          y6d = gy2d;
+        } else if (MAGGI_RE(gy2) < -MAGGI_RE(p[t->tyreadr[t->wheeltyre[n2]] +
+            MAGGI_TYRE_LOW_CAMBER])) {
+          y6 = -gy2;
+          y6d = -gy2d;
+        } else {
+          p2 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LOW_CAMBER];
+          p2d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LOW_CAMBER];
+          t11 = p2 * p2;
+          t11d = p2d * p2 + p2 * p2d;
+          z3 = gy2 * gy2 / t11;
+          t11inv = 1.0 / t11;
+          z3d = (gy2d * gy2 + gy2 * gy2d - z3 * t11d) * t11inv;
+          y6 = 0.125 * p2 * z3 * (15.0 + z3 * (-10.0 + 3.0 * z3));
+          y6d = (0.125 * p2d * z3 + 0.125 * p2 * z3d) * (15.0 + z3 * (-10.0 + 3.0 * z3)) + 0.125 *
+              p2 * z3 * (z3d * (-10.0 + 3.0 * z3) + z3 * (3.0 * z3d));
+        }
+        t12 = 1.0 + z2 * z2;
+        t12d = z2d * z2 + z2 * z2d;
+        t13 = 2.0 * z2 / t12;
+        t12inv = 1.0 / t12;
+        t13d = (2.0 * z2d - t13 * t12d) * t12inv;
+        y3_2 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKY1] * fz0_2 * t13 * (1.0 -
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKY3] * y6) * p[t->tyreadr[t->wheeltyre[n2]]
+            + MAGGI_TYRE_LKY];
+        y3_2d = (((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKY1] * fz0_2 +
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKY1] * fz0_2d) * t13 +
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKY1] * fz0_2 * t13d) * (1.0 -
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKY3] * y6) - p[t->tyreadr[t->wheeltyre[n2]]
+            + MAGGI_TYRE_PKY1] * fz0_2 * t13 * (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKY3] *
+            y6 + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKY3] * y6d)) *
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LKY] + p[t->tyreadr[t->wheeltyre[n2]] +
+            MAGGI_TYRE_PKY1] * fz0_2 * t13 * (1.0 - p[t->tyreadr[t->wheeltyre[n2]] +
+            MAGGI_TYRE_PKY3] * y6) * pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LKY];
+        y4_2 = ay;
+        y4_2d = ayd;
+        y5_2 = fz * ((p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVY1] +
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVY2] * dfz) *
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LVY] + (p[t->tyreadr[t->wheeltyre[n2]] +
+            MAGGI_TYRE_PVY3] + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVY4] * dfz) * gy2) *
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMUY];
+        y5_2d = (fzd * ((p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVY1] +
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVY2] * dfz) *
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LVY] + (p[t->tyreadr[t->wheeltyre[n2]] +
+            MAGGI_TYRE_PVY3] + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVY4] * dfz) * gy2) + fz
+            * ((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVY1] +
+            (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVY2] * dfz +
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVY2] * dfzd)) *
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LVY] + (p[t->tyreadr[t->wheeltyre[n2]] +
+            MAGGI_TYRE_PVY1] + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVY2] * dfz) *
+            pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LVY] + ((pd[t->tyreadr[t->wheeltyre[n2]] +
+            MAGGI_TYRE_PVY3] + (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVY4] * dfz +
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVY4] * dfzd)) * gy2 +
+            (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVY3] + p[t->tyreadr[t->wheeltyre[n2]] +
+            MAGGI_TYRE_PVY4] * dfz) * gy2d))) * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMUY] +
+            fz * ((p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVY1] +
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVY2] * dfz) *
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LVY] + (p[t->tyreadr[t->wheeltyre[n2]] +
+            MAGGI_TYRE_PVY3] + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVY4] * dfz) * gy2) *
+            pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMUY];
+        peak = y0_3;
+        peakd = y0_3d;
+        x4 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RBX2] * kappa;
+        /* what combined slip makes of the forces:  Fx = Gxa Fx0, Fy = Gyk Fy0 + SVyk.  g: b, c, e, shift of Gxa,
+         * then of Gyk, SVyk */
+        x4d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RBX2] * kappa +
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RBX2] * kappad;
+        t14 = 1.0 + x4 * x4;
+        t14d = x4d * x4 + x4 * x4d;
+        t15 = sqrt(t14);
+        c15 = 1.0 / (2.0 * t15);
+        t15d = c15 * t14d;
+        t16 = 1.0 / t15;
+        t15inv = 1.0 / t15;
+        t16d = -(t16 * t15d * t15inv);
+        g0 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RBX1] * t16 *
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LXAL];
+        g0d = (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RBX1] * t16 +
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RBX1] * t16d) *
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LXAL] + p[t->tyreadr[t->wheeltyre[n2]] +
+            MAGGI_TYRE_RBX1] * t16 * pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LXAL];
+        g1 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RCX1];
+        g1d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RCX1];
+        e9 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_REX1] + p[t->tyreadr[t->wheeltyre[n2]] +
+            MAGGI_TYRE_REX2] * dfz;
+        e9d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_REX1] + (pd[t->tyreadr[t->wheeltyre[n2]]
+            + MAGGI_TYRE_REX2] * dfz + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_REX2] * dfzd);
+        /* a curvature: more than 1 would turn the curve around */
+        if (MAGGI_RE(e9) > 1.0) {
+          y7 = 1.0;
+          y7d = 0.0;
+        } else {
+          y7 = e9;
+          y7d = e9d;
+        }
+        g2 = y7;
+        g2d = y7d;
+        g3 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RHX1];
+        g3d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RHX1];
+        x5 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RBY2] * (a2 -
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RBY3]);
+        x5d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RBY2] * (a2 -
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RBY3]) + p[t->tyreadr[t->wheeltyre[n2]] +
+            MAGGI_TYRE_RBY2] * (a2d - pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RBY3]);
+        t17 = 1.0 + x5 * x5;
+        t17d = x5d * x5 + x5 * x5d;
+        t18 = sqrt(t17);
+        c16 = 1.0 / (2.0 * t18);
+        t18d = c16 * t17d;
+        t19 = 1.0 / t18;
+        t18inv = 1.0 / t18;
+        t19d = -(t19 * t18d * t18inv);
+        g4 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RBY1] * t19 *
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LYKA];
+        g4d = (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RBY1] * t19 +
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RBY1] * t19d) *
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LYKA] + p[t->tyreadr[t->wheeltyre[n2]] +
+            MAGGI_TYRE_RBY1] * t19 * pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LYKA];
+        g5 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RCY1];
+        g5d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RCY1];
+        e10 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_REY1] + p[t->tyreadr[t->wheeltyre[n2]] +
+            MAGGI_TYRE_REY2] * dfz;
+        e10d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_REY1] + (pd[t->tyreadr[t->wheeltyre[n2]]
+            + MAGGI_TYRE_REY2] * dfz + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_REY2] * dfzd);
+        /* a curvature: more than 1 would turn the curve around */
+        if (MAGGI_RE(e10) > 1.0) {
+          y8 = 1.0;
+          y8d = 0.0;
+        } else {
+          y8 = e10;
+          y8d = e10d;
+        }
+        g6 = y8;
+        g6d = y8d;
+        g7 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RHY1] + p[t->tyreadr[t->wheeltyre[n2]] +
+            MAGGI_TYRE_RHY2] * dfz;
+        g7d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RHY1] + (pd[t->tyreadr[t->wheeltyre[n2]]
+            + MAGGI_TYRE_RHY2] * dfz + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RHY2] * dfzd);
+        p3 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY4];
+        p3d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY4];
+        x6 = p3 * a2;
+        x6d = p3d * a2 + p3 * a2d;
+        t20 = 1.0 + x6 * x6;
+        t20d = x6d * x6 + x6 * x6d;
+        t21 = sqrt(t20);
+        c17 = 1.0 / (2.0 * t21);
+        t21d = c17 * t20d;
+        t22 = 1.0 / t21;
+        t21inv = 1.0 / t21;
+        t22d = -(t22 * t21d * t21inv);
+        dv = peak * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY1] +
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY2] * dfz + p[t->tyreadr[t->wheeltyre[n2]]
+            + MAGGI_TYRE_RVY3] * gamma) * t22;
+        dvd = (peakd * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY1] +
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY2] * dfz + p[t->tyreadr[t->wheeltyre[n2]]
+            + MAGGI_TYRE_RVY3] * gamma) + peak * (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY1]
+            + (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY2] * dfz +
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY2] * dfzd) +
+            (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY3] * gamma +
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY3] * gammad))) * t22 + peak *
+            (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY1] + p[t->tyreadr[t->wheeltyre[n2]] +
+            MAGGI_TYRE_RVY2] * dfz + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY3] * gamma) *
+            t22d;
+        t23 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY6] * kappa;
+        t23d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY6] * kappa +
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY6] * kappad;
+        t24 = atan(t23);
+        c18 = 1.0 / (1.0 + t23 * t23);
+        t24d = c18 * t23d;
+        t25 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY5] * t24;
+        t25d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY5] * t24 +
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY5] * t24d;
+        t26 = sin(t25);
+        c19 = cos(t25);
+        t26d = c19 * t25d;
+        g8 = dv * t26 * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LVYKA];
+        g8d = (dvd * t26 + dv * t26d) * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LVYKA] + dv *
+            t26 * pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LVYKA];
+        y9 = g0 * (a2 + g3);
+        y9d = g0d * (a2 + g3) + g0 * (a2d + g3d);
+        y10 = g0 * g3;
+        y10d = g0d * g3 + g0 * g3d;
+        t27 = atan(y9);
+        c20 = 1.0 / (1.0 + y9 * y9);
+        t27d = c20 * y9d;
+        t28 = (1.0 - g2) * y9 + g2 * t27;
+        t28d = -(g2d * y9) + (1.0 - g2) * y9d + (g2d * t27 + g2 * t27d);
+        t29 = atan(t28);
+        c21 = 1.0 / (1.0 + t28 * t28);
+        t29d = c21 * t28d;
+        t30 = g1 * t29;
+        t30d = g1d * t29 + g1 * t29d;
+        t31 = cos(t30);
+        c22 = -sin(t30);
+        t31d = c22 * t30d;
+        t32 = atan(y10);
+        c23 = 1.0 / (1.0 + y10 * y10);
+        t32d = c23 * y10d;
+        t33 = (1.0 - g2) * y10 + g2 * t32;
+        t33d = -(g2d * y10) + (1.0 - g2) * y10d + (g2d * t32 + g2 * t32d);
+        t34 = atan(t33);
+        c24 = 1.0 / (1.0 + t33 * t33);
+        t34d = c24 * t33d;
+        t35 = g1 * t34;
+        t35d = g1d * t34 + g1 * t34d;
+        t36 = cos(t35);
+        c25 = -sin(t35);
+        t36d = c25 * t35d;
+        gx = t31 / t36;
+        t36inv = 1.0 / t36;
+        gxd = (t31d - gx * t36d) * t36inv;
+        y11 = g4 * (kappa + g7);
+        y11d = g4d * (kappa + g7) + g4 * (kappad + g7d);
+        y12 = g4 * g7;
+        y12d = g4d * g7 + g4 * g7d;
+        t37 = atan(y11);
+        c26 = 1.0 / (1.0 + y11 * y11);
+        t37d = c26 * y11d;
+        t38 = (1.0 - g6) * y11 + g6 * t37;
+        t38d = -(g6d * y11) + (1.0 - g6) * y11d + (g6d * t37 + g6 * t37d);
+        t39 = atan(t38);
+        c27 = 1.0 / (1.0 + t38 * t38);
+        t39d = c27 * t38d;
+        t40 = g5 * t39;
+        t40d = g5d * t39 + g5 * t39d;
+        t41 = cos(t40);
+        c28 = -sin(t40);
+        t41d = c28 * t40d;
+        t42 = atan(y12);
+        c29 = 1.0 / (1.0 + y12 * y12);
+        t42d = c29 * y12d;
+        t43 = (1.0 - g6) * y12 + g6 * t42;
+        t43d = -(g6d * y12) + (1.0 - g6) * y12d + (g6d * t42 + g6 * t42d);
+        t44 = atan(t43);
+        c30 = 1.0 / (1.0 + t43 * t43);
+        t44d = c30 * t43d;
+        t45 = g5 * t44;
+        t45d = g5d * t44 + g5 * t44d;
+        t46 = cos(t45);
+        c31 = -sin(t45);
+        t46d = c31 * t45d;
+        gy = t41 / t46;
+        t46inv = 1.0 / t46;
+        gyd = (t41d - gy * t46d) * t46inv;
+        b3 = g0;
+        b3d = g0d;
+        c = g1;
+        cd = g1d;
+        e11 = g2;
+        e11d = g2d;
+        shift = g3;
+        shiftd = g3d;
+        y13 = b3 * (a2 + shift);
+        /* its derivatives by x and by b */
+        y13d = b3d * (a2 + shift) + b3 * (a2d + shiftd);
+        y0 = b3 * shift;
+        y0d = b3d * shift + b3 * shiftd;
+        t47 = atan(y13);
+        c32 = 1.0 / (1.0 + y13 * y13);
+        t47d = c32 * y13d;
+        t48 = (1.0 - e11) * y13 + e11 * t47;
+        t48d = -(e11d * y13) + (1.0 - e11) * y13d + (e11d * t47 + e11 * t47d);
+        t49 = atan(t48);
+        c33 = 1.0 / (1.0 + t48 * t48);
+        t49d = c33 * t48d;
+        z4 = c * t49;
+        z4d = cd * t49 + c * t49d;
+        t50 = atan(y0);
+        c34 = 1.0 / (1.0 + y0 * y0);
+        t50d = c34 * y0d;
+        t51 = (1.0 - e11) * y0 + e11 * t50;
+        t51d = -(e11d * y0) + (1.0 - e11) * y0d + (e11d * t50 + e11 * t50d);
+        t52 = atan(t51);
+        c35 = 1.0 / (1.0 + t51 * t51);
+        t52d = c35 * t51d;
+        z0 = c * t52;
+        z0d = cd * t52 + c * t52d;
+        n4 = cos(z0);
+        c36 = -sin(z0);
+        n4d = c36 * z0d;
+        t53 = atan(y13);
+        c37 = 1.0 / (1.0 + y13 * y13);
+        /* its derivative by y */
+        t53d = c37 * y13d;
+        z5 = (1.0 - e11) * y13 + e11 * t53;
+        z5d = -(e11d * y13) + (1.0 - e11) * y13d + (e11d * t53 + e11 * t53d);
+        t54 = sin(z4);
+        c38 = cos(z4);
+        t54d = c38 * z4d;
+        t55 = 1.0 + y13 * y13;
+        t55d = y13d * y13 + y13 * y13d;
+        t56 = e11 / t55;
+        t55inv = 1.0 / t55;
+        t56d = (e11d - t56 * t55d) * t55inv;
+        t57 = 1.0 + z5 * z5;
+        t57d = z5d * z5 + z5 * z5d;
+        t58 = c * (1.0 - e11 + t56) / t57;
+        t57inv = 1.0 / t57;
+        t58d = (cd * (1.0 - e11 + t56) + c * (-e11d + t56d) - t58 * t57d) * t57inv;
+        s2 = -t54 * t58 / n4;
+        n4inv = 1.0 / n4;
+        s2d = (-(t54d * t58) - t54 * t58d - s2 * n4d) * n4inv;
+        t59 = atan(y0);
+        c39 = 1.0 / (1.0 + y0 * y0);
+        /* its derivative by y */
+        t59d = c39 * y0d;
+        z6 = (1.0 - e11) * y0 + e11 * t59;
+        z6d = -(e11d * y0) + (1.0 - e11) * y0d + (e11d * t59 + e11 * t59d);
+        t60 = cos(z4);
+        c40 = -sin(z4);
+        t60d = c40 * z4d;
+        t61 = sin(z0);
+        c41 = cos(z0);
+        t61d = c41 * z0d;
+        t62 = n4 * n4;
+        t62d = n4d * n4 + n4 * n4d;
+        t63 = t60 * t61 / t62;
+        t62inv = 1.0 / t62;
+        t63d = (t60d * t61 + t60 * t61d - t63 * t62d) * t62inv;
+        t64 = 1.0 + y0 * y0;
+        t64d = y0d * y0 + y0 * y0d;
+        t65 = e11 / t64;
+        t64inv = 1.0 / t64;
+        t65d = (e11d - t65 * t64d) * t64inv;
+        t66 = 1.0 + z6 * z6;
+        t66d = z6d * z6 + z6 * z6d;
+        t67 = c * (1.0 - e11 + t65) / t66;
+        t66inv = 1.0 / t66;
+        t67d = (cd * (1.0 - e11 + t65) + c * (-e11d + t65d) - t67 * t66d) * t66inv;
+        wx1 = s2 * (a2 + shift) + t63 * t67 * shift;
+        wx1d = s2d * (a2 + shift) + s2 * (a2d + shiftd) + ((t63d * t67 + t63 * t67d) * shift + t63 *
+            t67 * shiftd);
+        b4 = g4;
+        b4d = g4d;
+        c3 = g5;
+        c3d = g5d;
+        e12 = g6;
+        e12d = g6d;
+        shift2 = g7;
+        shift2d = g7d;
+        y14 = b4 * (kappa + shift2);
+        /* its derivatives by x and by b */
+        y14d = b4d * (kappa + shift2) + b4 * (kappad + shift2d);
+        y0_2 = b4 * shift2;
+        y0_2d = b4d * shift2 + b4 * shift2d;
+        t68 = atan(y14);
+        c42 = 1.0 / (1.0 + y14 * y14);
+        t68d = c42 * y14d;
+        t69 = (1.0 - e12) * y14 + e12 * t68;
+        t69d = -(e12d * y14) + (1.0 - e12) * y14d + (e12d * t68 + e12 * t68d);
+        t70 = atan(t69);
+        c43 = 1.0 / (1.0 + t69 * t69);
+        t70d = c43 * t69d;
+        z7 = c3 * t70;
+        z7d = c3d * t70 + c3 * t70d;
+        t71 = atan(y0_2);
+        c44 = 1.0 / (1.0 + y0_2 * y0_2);
+        t71d = c44 * y0_2d;
+        t72 = (1.0 - e12) * y0_2 + e12 * t71;
+        t72d = -(e12d * y0_2) + (1.0 - e12) * y0_2d + (e12d * t71 + e12 * t71d);
+        t73 = atan(t72);
+        c45 = 1.0 / (1.0 + t72 * t72);
+        t73d = c45 * t72d;
+        z0_2 = c3 * t73;
+        z0_2d = c3d * t73 + c3 * t73d;
+        n5 = cos(z0_2);
+        c46 = -sin(z0_2);
+        n5d = c46 * z0_2d;
+        t74 = atan(y14);
+        c47 = 1.0 / (1.0 + y14 * y14);
+        /* its derivative by y */
+        t74d = c47 * y14d;
+        z8 = (1.0 - e12) * y14 + e12 * t74;
+        z8d = -(e12d * y14) + (1.0 - e12) * y14d + (e12d * t74 + e12 * t74d);
+        t75 = sin(z7);
+        c48 = cos(z7);
+        t75d = c48 * z7d;
+        t76 = 1.0 + y14 * y14;
+        t76d = y14d * y14 + y14 * y14d;
+        t77 = e12 / t76;
+        t76inv = 1.0 / t76;
+        t77d = (e12d - t77 * t76d) * t76inv;
+        t78 = 1.0 + z8 * z8;
+        t78d = z8d * z8 + z8 * z8d;
+        t79 = c3 * (1.0 - e12 + t77) / t78;
+        t78inv = 1.0 / t78;
+        t79d = (c3d * (1.0 - e12 + t77) + c3 * (-e12d + t77d) - t79 * t78d) * t78inv;
+        s3 = -t75 * t79 / n5;
+        n5inv = 1.0 / n5;
+        s3d = (-(t75d * t79) - t75 * t79d - s3 * n5d) * n5inv;
+        t80 = atan(y0_2);
+        c49 = 1.0 / (1.0 + y0_2 * y0_2);
+        /* its derivative by y */
+        t80d = c49 * y0_2d;
+        z9 = (1.0 - e12) * y0_2 + e12 * t80;
+        z9d = -(e12d * y0_2) + (1.0 - e12) * y0_2d + (e12d * t80 + e12 * t80d);
+        t81 = cos(z7);
+        c50 = -sin(z7);
+        t81d = c50 * z7d;
+        t82 = sin(z0_2);
+        c51 = cos(z0_2);
+        t82d = c51 * z0_2d;
+        t83 = n5 * n5;
+        t83d = n5d * n5 + n5 * n5d;
+        t84 = t81 * t82 / t83;
+        t83inv = 1.0 / t83;
+        t84d = (t81d * t82 + t81 * t82d - t84 * t83d) * t83inv;
+        t85 = 1.0 + y0_2 * y0_2;
+        t85d = y0_2d * y0_2 + y0_2 * y0_2d;
+        t86 = e12 / t85;
+        t85inv = 1.0 / t85;
+        t86d = (e12d - t86 * t85d) * t85inv;
+        t87 = 1.0 + z9 * z9;
+        t87d = z9d * z9 + z9 * z9d;
+        t88 = c3 * (1.0 - e12 + t86) / t87;
+        t87inv = 1.0 / t87;
+        t88d = (c3d * (1.0 - e12 + t86) + c3 * (-e12d + t86d) - t88 * t87d) * t87inv;
+        wy1 = s3 * (kappa + shift2) + t84 * t88 * shift2;
+        wy1d = s3d * (kappa + shift2) + s3 * (kappad + shift2d) + ((t84d * t88 + t84 * t88d) *
+            shift2 + t84 * t88 * shift2d);
+        t89 = x31 * x30;
+        t89d = x31d * x30 + x31 * x30d;
+        t90 = x33 / t89;
+        t89inv = 1.0 / t89;
+        t90d = (x33d - t90 * t89d) * t89inv;
+        y15 = t90 * x34;
+        y15d = t90d * x34 + t90 * x34d;
+        t91 = atan(y15);
+        c52 = 1.0 / (1.0 + y15 * y15);
+        t91d = c52 * y15d;
+        t92 = (1.0 - x32) * y15 + x32 * t91;
+        t92d = -(x32d * y15) + (1.0 - x32) * y15d + (x32d * t91 + x32 * t91d);
+        t93 = atan(t92);
+        c53 = 1.0 / (1.0 + t92 * t92);
+        t93d = c53 * t92d;
+        t94 = x31 * t93;
+        t94d = x31d * t93 + x31 * t93d;
+        t95 = sin(t94);
+        c54 = cos(t94);
+        t95d = c54 * t94d;
+        fx = x30 * t95 + x35;
+        fxd = x30d * t95 + x30 * t95d + x35d;
+        t96 = y1 * y0_3;
+        t96d = y1d * y0_3 + y1 * y0_3d;
+        t97 = y3_2 / t96;
+        t96inv = 1.0 / t96;
+        t97d = (y3_2d - t97 * t96d) * t96inv;
+        y16 = t97 * y4_2;
+        y16d = t97d * y4_2 + t97 * y4_2d;
+        t98 = atan(y16);
+        c55 = 1.0 / (1.0 + y16 * y16);
+        t98d = c55 * y16d;
+        t99 = (1.0 - y2_2) * y16 + y2_2 * t98;
+        t99d = -(y2_2d * y16) + (1.0 - y2_2) * y16d + (y2_2d * t98 + y2_2 * t98d);
+        t100 = atan(t99);
+        c56 = 1.0 / (1.0 + t99 * t99);
+        t100d = c56 * t99d;
+        t101 = y1 * t100;
+        t101d = y1d * t100 + y1 * t100d;
+        t102 = sin(t101);
+        c57 = cos(t101);
+        t102d = c57 * t101d;
+        fy = y0_3 * t102 + y5_2;
+        fyd = y0_3d * t102 + y0_3 * t102d + y5_2d;
+        p4 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RBY2];
+        p4d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RBY2];
+        p5 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RBY3];
+        p5d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RBY3];
+        x7 = p4 * (a2 - p5);
+        /* b and the shift of Fy change with a by their cos(atan()) */
+        x7d = p4d * (a2 - p5) + p4 * (a2d - p5d);
+        t103 = 1.0 + x7 * x7;
+        t103d = x7d * x7 + x7 * x7d;
+        t104 = sqrt(t103);
+        c58 = 1.0 / (2.0 * t104);
+        t104d = c58 * t103d;
+        t105 = 1.0 / t104;
+        t104inv = 1.0 / t104;
+        t105d = -(t105 * t104d * t104inv);
+        l3 = p4 * t105;
+        l3d = p4d * t105 + p4 * t105d;
+        x8 = p3 * a2;
+        x8d = p3d * a2 + p3 * a2d;
+        t106 = 1.0 + x8 * x8;
+        t106d = x8d * x8 + x8 * x8d;
+        t107 = sqrt(t106);
+        c59 = 1.0 / (2.0 * t107);
+        t107d = c59 * t106d;
+        t108 = 1.0 / t107;
+        t107inv = 1.0 / t107;
+        t108d = -(t108 * t107d * t107inv);
+        v2 = p3 * t108;
+        v2d = p3d * t108 + p3 * t108d;
+        b2 = -g4 * l3 * l3 * (a2 - p5);
+        b2d = ((-(g4d * l3) - g4 * l3d) * l3 + -g4 * l3 * l3d) * (a2 - p5) + -g4 * l3 * l3 * (a2d -
+            p5d);
+        t109 = y1 * y0_3;
+        /* its derivative by the slip */
+        t109d = y1d * y0_3 + y1 * y0_3d;
+        b5 = y3_2 / t109;
+        t109inv = 1.0 / t109;
+        b5d = (y3_2d - b5 * t109d) * t109inv;
+        y17 = b5 * y4_2;
+        y17d = b5d * y4_2 + b5 * y4_2d;
+        t110 = atan(y17);
+        c60 = 1.0 / (1.0 + y17 * y17);
+        /* its derivative by y */
+        t110d = c60 * y17d;
+        z10 = (1.0 - y2_2) * y17 + y2_2 * t110;
+        z10d = -(y2_2d * y17) + (1.0 - y2_2) * y17d + (y2_2d * t110 + y2_2 * t110d);
+        t111 = atan(y17);
+        c61 = 1.0 / (1.0 + y17 * y17);
+        t111d = c61 * y17d;
+        t112 = (1.0 - y2_2) * y17 + y2_2 * t111;
+        t112d = -(y2_2d * y17) + (1.0 - y2_2) * y17d + (y2_2d * t111 + y2_2 * t111d);
+        t113 = atan(t112);
+        c62 = 1.0 / (1.0 + t112 * t112);
+        t113d = c62 * t112d;
+        t114 = y1 * t113;
+        t114d = y1d * t113 + y1 * t113d;
+        t115 = cos(t114);
+        c63 = -sin(t114);
+        t115d = c63 * t114d;
+        t116 = 1.0 + y17 * y17;
+        t116d = y17d * y17 + y17 * y17d;
+        t117 = y2_2 / t116;
+        t116inv = 1.0 / t116;
+        t117d = (y2_2d - t117 * t116d) * t116inv;
+        t118 = 1.0 + z10 * z10;
+        t118d = z10d * z10 + z10 * z10d;
+        t119 = y1 * (1.0 - y2_2 + t117) / t118;
+        t118inv = 1.0 / t118;
+        t119d = (y1d * (1.0 - y2_2 + t117) + y1 * (-y2_2d + t117d) - t119 * t118d) * t118inv;
+        sd[i][0] = (a2d * a2 + a2 * a2d) * (gy * (y0_3 * t115 * t119 * b5) + fy * wy1 * b2 - g8 * v2
+            * v2 * a2) + (1.0 + a2 * a2) * (gyd * (y0_3 * t115 * t119 * b5) + gy * (((y0_3d * t115 +
+            y0_3 * t115d) * t119 + y0_3 * t115 * t119d) * b5 + y0_3 * t115 * t119 * b5d) + ((fyd *
+            wy1 + fy * wy1d) * b2 + fy * wy1 * b2d) - (((g8d * v2 + g8 * v2d) * v2 + g8 * v2 * v2d)
+            * a2 + g8 * v2 * v2 * a2d));
+        p6 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RBX2];
+        p6d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RBX2];
+        x9 = p6 * kappa;
+        x9d = p6d * kappa + p6 * kappad;
+        t120 = 1.0 + x9 * x9;
+        t120d = x9d * x9 + x9 * x9d;
+        t121 = sqrt(t120);
+        c64 = 1.0 / (2.0 * t121);
+        t121d = c64 * t120d;
+        t122 = 1.0 / t121;
+        t121inv = 1.0 / t121;
+        t122d = -(t122 * t121d * t121inv);
+        m = p6 * t122;
+        md = p6d * t122 + p6 * t122d;
+        ka = -g0 * m * m * kappa;
+        kad = ((-(g0d * m) - g0 * md) * m + -g0 * m * md) * kappa + -g0 * m * m * kappad;
+        t123 = x31 * x30;
+        /* its derivative by the slip */
+        t123d = x31d * x30 + x31 * x30d;
+        b6 = x33 / t123;
+        t123inv = 1.0 / t123;
+        b6d = (x33d - b6 * t123d) * t123inv;
+        y18 = b6 * x34;
+        y18d = b6d * x34 + b6 * x34d;
+        t124 = atan(y18);
+        c65 = 1.0 / (1.0 + y18 * y18);
+        /* its derivative by y */
+        t124d = c65 * y18d;
+        z11 = (1.0 - x32) * y18 + x32 * t124;
+        z11d = -(x32d * y18) + (1.0 - x32) * y18d + (x32d * t124 + x32 * t124d);
+        t125 = atan(y18);
+        c66 = 1.0 / (1.0 + y18 * y18);
+        t125d = c66 * y18d;
+        t126 = (1.0 - x32) * y18 + x32 * t125;
+        t126d = -(x32d * y18) + (1.0 - x32) * y18d + (x32d * t125 + x32 * t125d);
+        t127 = atan(t126);
+        c67 = 1.0 / (1.0 + t126 * t126);
+        t127d = c67 * t126d;
+        t128 = x31 * t127;
+        t128d = x31d * t127 + x31 * t127d;
+        t129 = cos(t128);
+        c68 = -sin(t128);
+        t129d = c68 * t128d;
+        t130 = 1.0 + y18 * y18;
+        t130d = y18d * y18 + y18 * y18d;
+        t131 = x32 / t130;
+        t130inv = 1.0 / t130;
+        t131d = (x32d - t131 * t130d) * t130inv;
+        t132 = 1.0 + z11 * z11;
+        t132d = z11d * z11 + z11 * z11d;
+        t133 = x31 * (1.0 - x32 + t131) / t132;
+        t132inv = 1.0 / t132;
+        t133d = (x31d * (1.0 - x32 + t131) + x31 * (-x32d + t131d) - t133 * t132d) * t132inv;
+        sd[i][1] = gxd * (x30 * t129 * t133 * b6) + gx * (((x30d * t129 + x30 * t129d) * t133 + x30
+            * t129 * t133d) * b6 + x30 * t129 * t133 * b6d) + ((fxd * wx1 + fx * wx1d) * ka + fx *
+            wx1 * kad);
+        ux = fx * gx / x30;
+        x30inv = 1.0 / x30;
+        uxd = (fxd * gx + fx * gxd - ux * x30d) * x30inv;
+        uy = (fy * gy + g8) / y0_3;
+        y0_3inv = 1.0 / y0_3;
+        uyd = (fyd * gy + fy * gyd + g8d - uy * y0_3d) * y0_3inv;
+        t134d = uxd * ux + ux * uxd + (uyd * uy + uy * uyd);
+        c69 = 1.0 / (2.0 * s[i][2]);
+        sd[i][2] = c69 * t134d;
       } else {
-        rolling0d = 0.0;
-        rolling1d = 0.0;
-        rolling2d = 0.0;
-        rolling3d = 0.0;
-        rolling4d = 0.0;
-        rolling5d = 0.0;
-      }
-      slip0d = kappad;
-      slip1 = a2;
-      slip1d = a2d;
-      slip2d = gammad;
-      if (t->sensorkind[i] == MAGGI_SENSOR_TYRE_SLIP) {
-        sd[i][0] = slip0d;
-        c53 = 1.0 / (1.0 + slip1 * slip1);
-        sd[i][1] = c53 * slip1d;
-        sd[i][2] = slip2d;
-      } else if (t->sensorkind[i] == MAGGI_SENSOR_TYRE_FORCE) {
-        sd[i][0] = rolling0d;
-        sd[i][1] = rolling1d;
-        sd[i][2] = rolling2d;
-      } else {
-        sd[i][0] = rolling3d;
-        sd[i][1] = rolling4d;
-        sd[i][2] = rolling5d;
+        sd[i][0] = 0.0;
+        sd[i][1] = 0.0;
+        sd[i][2] = 0.0;
       }
     }
   }

@@ -26,56 +26,48 @@ void maggi_sensors_dv(const maggi_topo *t, const double p[restrict t->np],
                       const double rad[restrict t->npoint][3][MAGGI_NDIR],
                       const double lambda[restrict t->nrow],
                       const double lambdad[restrict t->nrow][MAGGI_NDIR],
+                      const double slip[restrict t->nwheel][MAGGI_SLIP_NUMBERS],
+                      const double slipd[restrict t->nwheel][MAGGI_SLIP_NUMBERS][MAGGI_NDIR],
+                      const double grip[restrict t->nwheel][6],
+                      const double gripd[restrict t->nwheel][6][MAGGI_NDIR],
                       double s[restrict t->nsensor][3],
                       double sd[restrict t->nsensor][3][MAGGI_NDIR], int nbdirs)
 {
-  int a, a4, a4_2, b, b2, b2_2, i, j, k, k2, n2, nd;
-  double A_j0, A_j3, A_j7, A_j8, L0, L1, L2, N0, N1, N2, T0, T1, T2, Z_j3, Z_j4, Z_k3, Z_k4, Z_k5,
-      a00, a01, a02, a2, a3, along0, along1, along2, ar, areq, arm0, arm1, arm2, at, ateq, ay, br,
-      bt, bx, by, bycy, c, c10, c11, c12, c13, c14, c15, c16, c17, c18, c19, c2, c20, c21, c22, c23,
-      c24, c25, c26, c27, c28, c29, c2inv, c3, c30, c31, c32, c33, c34, c35, c36, c37, c38, c39, c4,
-      c40, c41, c42, c43, c44, c45, c46, c47, c48, c49, c5, c50, c51, c52, c53, c6, c7, c8, c9, ca,
-      cx, cy, dfz, dr, dt, dv, dx, dy, e0, e1, e10, e11, e12, e13, e20, e21, e22, e2_2, e3, e4, e5,
-      e6, e7, e8, e9, et, ev0, ev1, ev20, ev21, ev22, ev2_2, ex, ey, fx, fy, fz, fz0, fz0_2,
-      fz0_2inv, fz0_3, fz0_4, fz0_4inv, fz0inv, fz2, g0, g20, g21, g2_2, gamma, gamma2, gx, gy, gz,
-      h00, h10, h11, inv, inv2, inv3, kappa, kappa2, kx, l, l2, l2inv, linv, lv, mux, muy, muy2,
-      n30, n31, n32, n4, n4inv, n50, n51, n52, omega, one0, one1, one2, one3, one4, p10, p10inv, p2,
-      p2inv, p3, p4, p4inv, p5, p6, p7, p8, p9, p_b2, p_b2_2, p_b2_2inv, p_b2_3, p_b2_4, p_b2_5,
-      p_b2_5inv, p_b2_6, p_k24, p_k25, r0, r2, ratio, ratio2, re, rhov, roll, s2, s2inv, s3, s4,
-      shift, shy, side, slip1, speed, speed2, speedinv, stiff, stiff2, stiff2inv, stiff3, stiff4,
-      svx, svy, t10, t11, t11inv, t12, t13, t14, t15, t16, t17, t18, t19, t2, t20, t21, t22, t23,
-      t24, t25, t26, t26inv, t27, t28, t29, t3, t30, t31, t32, t32inv, t33, t33inv, t34, t34inv,
-      t35, t36, t36inv, t37, t38, t39, t4, t40, t41, t42, t43, t44, t44inv, t45, t46, t47, t47inv,
-      t48, t49, t5, t50, t51, t52, t53, t54, t55, t56, t57, t58, t58inv, t59, t5inv, t6, t60, t61,
-      t62, t63, t64, t64inv, t65, t66, t67, t68, t69, t7, t70, t71, t72, t73, t74, t75, t75inv, t76,
-      t77, t78, t79, t79inv, t8, t80, t81, t82, t83, t84, t85, t85inv, t86, t87, t88, t89, t9, t90,
-      t91, t92, t92inv, t93, t94, t95, t96, t97, u20, u21, u22, ua0, ua1, ua2, un0, un1, un2, v20,
-      v21, v22, vr0, vr1, vr2, vx, w, way, winv, wr0, wr1, wr2, x2, x3, x4, x50, x51, x6, x7, x8,
-      x9, xv, y, y10, y11, y12, y13, y14, y15, y16, y17, y18, y20, y21, y21inv, y22, y23, y24, y3,
-      y4, y5, y6, y7, y8, y9, z1_3, z20, z21, z22, z22inv, z30, z4, z5, z6;
-  double L0d[MAGGI_NDIR], L1d[MAGGI_NDIR], L2d[MAGGI_NDIR], a2d[MAGGI_NDIR], a3d[MAGGI_NDIR],
-      areqd[MAGGI_NDIR], atd[MAGGI_NDIR], ateqd[MAGGI_NDIR], ayd[MAGGI_NDIR], btd[MAGGI_NDIR],
-      bycyd[MAGGI_NDIR], cxd[MAGGI_NDIR], cyd[MAGGI_NDIR], dampingd[MAGGI_NDIR], dfzd[MAGGI_NDIR],
-      dtd[MAGGI_NDIR], dxd[MAGGI_NDIR], dyd[MAGGI_NDIR], e10d[MAGGI_NDIR], e12d[MAGGI_NDIR],
-      e13d[MAGGI_NDIR], e3d[MAGGI_NDIR], e4d[MAGGI_NDIR], e5d[MAGGI_NDIR], e6d[MAGGI_NDIR],
-      e7d[MAGGI_NDIR], e8d[MAGGI_NDIR], exd[MAGGI_NDIR], eyd[MAGGI_NDIR], f0d[MAGGI_NDIR],
-      f1d[MAGGI_NDIR], f2d[MAGGI_NDIR], fxd[MAGGI_NDIR], fyd[MAGGI_NDIR], fz0_2d[MAGGI_NDIR],
-      fz0_3d[MAGGI_NDIR], fz0_4d[MAGGI_NDIR], fz2d[MAGGI_NDIR], fzd[MAGGI_NDIR], g0d[MAGGI_NDIR],
-      g20d[MAGGI_NDIR], g21d[MAGGI_NDIR], g2_2d[MAGGI_NDIR], gamma2d[MAGGI_NDIR],
-      gammad[MAGGI_NDIR], gyd[MAGGI_NDIR], gzd[MAGGI_NDIR], h00d[MAGGI_NDIR], h10d[MAGGI_NDIR],
-      h11d[MAGGI_NDIR], kappa2d[MAGGI_NDIR], kappad[MAGGI_NDIR], kxd[MAGGI_NDIR], ld[MAGGI_NDIR],
-      lvd[MAGGI_NDIR], muy2d[MAGGI_NDIR], muyd[MAGGI_NDIR], omegad[MAGGI_NDIR], one0d[MAGGI_NDIR],
-      one1d[MAGGI_NDIR], one2d[MAGGI_NDIR], one3d[MAGGI_NDIR], one4d[MAGGI_NDIR], r0d[MAGGI_NDIR],
-      red[MAGGI_NDIR], rolling0d[MAGGI_NDIR], rolling1d[MAGGI_NDIR], rolling2d[MAGGI_NDIR],
-      rolling3d[MAGGI_NDIR], rolling4d[MAGGI_NDIR], rolling5d[MAGGI_NDIR], shyd[MAGGI_NDIR],
-      slip0d[MAGGI_NDIR], slip1d[MAGGI_NDIR], slip2d[MAGGI_NDIR], stiff3d[MAGGI_NDIR],
-      stiff4d[MAGGI_NDIR], u20d[MAGGI_NDIR], u21d[MAGGI_NDIR], u22d[MAGGI_NDIR], v20d[MAGGI_NDIR],
-      v21d[MAGGI_NDIR], v22d[MAGGI_NDIR], vxd[MAGGI_NDIR], x2d[MAGGI_NDIR], x3d[MAGGI_NDIR],
-      x4d[MAGGI_NDIR], x50d[MAGGI_NDIR], x51d[MAGGI_NDIR], xvd[MAGGI_NDIR], y10d[MAGGI_NDIR],
-      y13d[MAGGI_NDIR], y16d[MAGGI_NDIR], y17d[MAGGI_NDIR], y20d[MAGGI_NDIR], y21d[MAGGI_NDIR],
-      y23d[MAGGI_NDIR], y24d[MAGGI_NDIR], y3d[MAGGI_NDIR], y4d[MAGGI_NDIR], y6d[MAGGI_NDIR],
-      y7d[MAGGI_NDIR], y8d[MAGGI_NDIR], yd[MAGGI_NDIR], z21d[MAGGI_NDIR], z22d[MAGGI_NDIR],
-      z4d[MAGGI_NDIR];
+  int a, a3, b, b7, i, j, k, k2, n2, nd;
+  double A_j0, A_j3, A_j7, A_j8, Z_j3, Z_j4, a2, ay, b2, b3, b4, b5, b6, c, c10, c11, c12, c13, c14,
+      c15, c16, c17, c18, c19, c2, c20, c21, c22, c23, c24, c25, c26, c27, c28, c29, c2inv, c3, c30,
+      c31, c32, c33, c34, c35, c36, c37, c38, c39, c4, c40, c41, c42, c43, c44, c45, c46, c47, c48,
+      c49, c5, c50, c51, c52, c53, c54, c55, c56, c57, c58, c59, c6, c60, c61, c62, c63, c64, c65,
+      c66, c67, c68, c69, c7, c8, c9, dfz, dv, e0, e1, e10, e11, e12, e20, e21, e22, e2_2, e3, e4,
+      e5, e6, e7, e8, e9, ev0, ev1, ev20, ev21, ev22, ev2_2, ex, ey, fx, fy, fz, fz0, fz0_2, fz0inv,
+      g0, g1, g2, g3, g4, g5, g6, g7, g8, gamma, gx, gx2, gy, gy2, ka, kappa, kx, l, l2, l2inv, l3,
+      linv, lv, m, mux, muy, n30, n31, n32, n4, n4inv, n5, n5inv, one0, one1, one2, one3, p2, p3,
+      p4, p5, p6, p_k24, p_k25, peak, roll, s2, s3, shift, shift2, side, t10, t100, t101, t102,
+      t103, t104, t104inv, t105, t106, t107, t107inv, t108, t109, t109inv, t10inv, t11, t110, t111,
+      t112, t113, t114, t115, t116, t116inv, t117, t118, t118inv, t119, t11inv, t12, t120, t121,
+      t121inv, t122, t123, t123inv, t124, t125, t126, t127, t128, t129, t12inv, t13, t130, t130inv,
+      t131, t132, t132inv, t133, t14, t15, t15inv, t16, t17, t18, t18inv, t19, t2, t20, t21, t21inv,
+      t22, t23, t24, t25, t26, t27, t28, t29, t3, t30, t31, t32, t33, t34, t35, t36, t36inv, t37,
+      t38, t39, t4, t40, t41, t42, t43, t44, t45, t46, t46inv, t47, t48, t49, t5, t50, t51, t52,
+      t53, t54, t55, t55inv, t56, t57, t57inv, t58, t59, t5inv, t6, t60, t61, t62, t62inv, t63, t64,
+      t64inv, t65, t66, t66inv, t67, t68, t69, t7, t70, t71, t72, t73, t74, t75, t76, t76inv, t77,
+      t78, t78inv, t79, t8, t80, t81, t82, t83, t83inv, t84, t85, t85inv, t86, t87, t87inv, t88,
+      t89, t89inv, t9, t90, t91, t92, t93, t94, t95, t96, t96inv, t97, t98, t99, ux, uy, v2, wx1,
+      wy1, x2, x30, x30inv, x31, x32, x33, x34, x35, x4, x5, x6, x7, x8, x9, xv, y0, y0_2, y0_3,
+      y0_3inv, y1, y10, y11, y12, y13, y14, y15, y16, y17, y18, y2, y2_2, y3, y3_2, y4, y4_2, y5,
+      y5_2, y6, y7, y8, y9, z0, z0_2, z10, z11, z1_3, z2, z3, z4, z5, z6, z7, z8, z9;
+  double a2d[MAGGI_NDIR], ayd[MAGGI_NDIR], dampingd[MAGGI_NDIR], dfzd[MAGGI_NDIR], e10d[MAGGI_NDIR],
+      e3d[MAGGI_NDIR], e4d[MAGGI_NDIR], e5d[MAGGI_NDIR], e6d[MAGGI_NDIR], e7d[MAGGI_NDIR],
+      e8d[MAGGI_NDIR], e9d[MAGGI_NDIR], exd[MAGGI_NDIR], eyd[MAGGI_NDIR], f0d[MAGGI_NDIR],
+      f1d[MAGGI_NDIR], f2d[MAGGI_NDIR], fz0_2d[MAGGI_NDIR], fzd[MAGGI_NDIR], g0d[MAGGI_NDIR],
+      g1d[MAGGI_NDIR], g2d[MAGGI_NDIR], g3d[MAGGI_NDIR], g4d[MAGGI_NDIR], g5d[MAGGI_NDIR],
+      gammad[MAGGI_NDIR], gy2d[MAGGI_NDIR], kappad[MAGGI_NDIR], kxd[MAGGI_NDIR], ld[MAGGI_NDIR],
+      lvd[MAGGI_NDIR], muxd[MAGGI_NDIR], muyd[MAGGI_NDIR], peakd[MAGGI_NDIR], x2d[MAGGI_NDIR],
+      x30d[MAGGI_NDIR], x31d[MAGGI_NDIR], x32d[MAGGI_NDIR], x33d[MAGGI_NDIR], x34d[MAGGI_NDIR],
+      x35d[MAGGI_NDIR], xvd[MAGGI_NDIR], y0_3d[MAGGI_NDIR], y1d[MAGGI_NDIR], y2_2d[MAGGI_NDIR],
+      y2d[MAGGI_NDIR], y3_2d[MAGGI_NDIR], y3d[MAGGI_NDIR], y4_2d[MAGGI_NDIR], y4d[MAGGI_NDIR],
+      y5_2d[MAGGI_NDIR], y5d[MAGGI_NDIR], y6d[MAGGI_NDIR], y7d[MAGGI_NDIR], y8d[MAGGI_NDIR],
+      z2d[MAGGI_NDIR];
 
   (void)origin;
   (void)x;
@@ -111,16 +103,16 @@ void maggi_sensors_dv(const maggi_topo *t, const double p[restrict t->np],
     } else if (t->sensorkind[i] == MAGGI_SENSOR_ANGLES) {
       A_j7 = A[j][7];
       A_j8 = A[j][8];
-      c3 = A_j8 / (A_j8 * A_j8 + A_j7 * A_j7);
-      c4 = -(A_j7 / (A_j8 * A_j8 + A_j7 * A_j7));
+      c4 = A_j8 / (A_j8 * A_j8 + A_j7 * A_j7);
+      c5 = -(A_j7 / (A_j8 * A_j8 + A_j7 * A_j7));
       t2 = -A[j][6];
       t3 = A_j7 * A_j7 + A_j8 * A_j8;
       t4 = sqrt(t3);
-      c5 = 1.0 / (2.0 * t4);
-      c6 = t4 / (t4 * t4 + t2 * t2);
-      c7 = -(t2 / (t4 * t4 + t2 * t2));
-      c8 = A[j][0] / (A[j][0] * A[j][0] + A[j][3] * A[j][3]);
-      c9 = -(A[j][3] / (A[j][0] * A[j][0] + A[j][3] * A[j][3]));
+      c6 = 1.0 / (2.0 * t4);
+      c7 = t4 / (t4 * t4 + t2 * t2);
+      c8 = -(t2 / (t4 * t4 + t2 * t2));
+      c9 = A[j][0] / (A[j][0] * A[j][0] + A[j][3] * A[j][3]);
+      c10 = -(A[j][3] / (A[j][0] * A[j][0] + A[j][3] * A[j][3]));
 #pragma omp simd
       for (nd = 0; nd < MAGGI_NDIR; ++nd) {
         double A_j7d, A_j8d, t2d, t3d, t4d;
@@ -128,12 +120,12 @@ void maggi_sensors_dv(const maggi_topo *t, const double p[restrict t->np],
         A_j7d = Ad[j][7][nd];
         A_j8d = Ad[j][8][nd];
         /* R = Rz(yaw) Ry(pitch) Rx(roll) */
-        sd[i][0][nd] = c3 * A_j7d + c4 * A_j8d;
+        sd[i][0][nd] = c4 * A_j7d + c5 * A_j8d;
         t2d = -Ad[j][6][nd];
         t3d = A_j7d * A_j7 + A_j7 * A_j7d + (A_j8d * A_j8 + A_j8 * A_j8d);
-        t4d = c5 * t3d;
-        sd[i][1][nd] = c6 * t2d + c7 * t4d;
-        sd[i][2][nd] = c8 * Ad[j][3][nd] + c9 * Ad[j][0][nd];
+        t4d = c6 * t3d;
+        sd[i][1][nd] = c7 * t2d + c8 * t4d;
+        sd[i][2][nd] = c9 * Ad[j][3][nd] + c10 * Ad[j][0][nd];
       }
     } else if (t->sensorkind[i] == MAGGI_SENSOR_ANGLE_RATES) {
       A_j0 = A[j][0];
@@ -144,7 +136,7 @@ void maggi_sensors_dv(const maggi_topo *t, const double p[restrict t->np],
       roll = s[i][0];
       c2inv = 1.0 / c2;
       t5 = sqrt(c2);
-      c10 = 1.0 / (2.0 * t5);
+      c11 = 1.0 / (2.0 * t5);
       t5inv = 1.0 / t5;
 #pragma omp simd
       for (nd = 0; nd < MAGGI_NDIR; ++nd) {
@@ -159,7 +151,7 @@ void maggi_sensors_dv(const maggi_topo *t, const double p[restrict t->np],
         Z_j4d = Zd[j][4][nd];
         rolld = (A_j0d * Z_j3 + A_j0 * Z_j3d + (A_j3d * Z_j4 + A_j3 * Z_j4d) - roll * c2d) * c2inv;
         sd[i][0][nd] = rolld;
-        t5d = c10 * c2d;
+        t5d = c11 * c2d;
         sd[i][1][nd] = (A_j0d * Z_j4 + A_j0 * Z_j4d - (A_j3d * Z_j3 + A_j3 * Z_j3d) - s[i][1] * t5d)
             * t5inv;
         sd[i][2][nd] = Zd[j][5][nd] - (Ad[j][6][nd] * roll + A[j][6] * rolld);
@@ -189,7 +181,7 @@ void maggi_sensors_dv(const maggi_topo *t, const double p[restrict t->np],
       ev2_2 = rv[a][2] - rv[b][2];
       t6 = e0 * e0 + e1 * e1 + e2_2 * e2_2;
       l = sqrt(t6);
-      c11 = 1.0 / (2.0 * l);
+      c12 = 1.0 / (2.0 * l);
       n30 = e0 / l;
       linv = 1.0 / l;
       n31 = e1 / l;
@@ -206,7 +198,7 @@ void maggi_sensors_dv(const maggi_topo *t, const double p[restrict t->np],
         e2_2d = rd[a][2][nd] - rd[b][2][nd];
         ev2_2d = rvd[a][2][nd] - rvd[b][2][nd];
         t6d = e0d * e0 + e0 * e0d + (e1d * e1 + e1 * e1d) + (e2_2d * e2_2 + e2_2 * e2_2d);
-        ld[nd] = c11 * t6d;
+        ld[nd] = c12 * t6d;
         n30d = (e0d - n30 * ld[nd]) * linv;
         n31d = (e1d - n31 * ld[nd]) * linv;
         n32d = (e2_2d - n32 * ld[nd]) * linv;
@@ -274,11 +266,11 @@ void maggi_sensors_dv(const maggi_topo *t, const double p[restrict t->np],
       }
 #pragma omp simd
       for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-        double z0d, z1d;
+        double z0_3d, z1d;
 
-        z0d = ld[nd];
+        z0_3d = ld[nd];
         z1d = lvd[nd];
-        sd[i][0][nd] = z0d;
+        sd[i][0][nd] = z0_3d;
         sd[i][1][nd] = z1d;
         sd[i][2][nd] = f0d[nd] + f1d[nd];
       }
@@ -302,1423 +294,1054 @@ void maggi_sensors_dv(const maggi_topo *t, const double p[restrict t->np],
       }
 #pragma omp simd
       for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-        double torque0d, z0_2d, z1_2d;
+        double torque0d, z0_4d, z1_2d;
 
         torque0d = -(pd[t->jspringadr[n2]][nd] * (x2 - p[t->jspringadr[n2] + MAGGI_JSPRING_REST])) -
             p[t->jspringadr[n2]] * (x2d[nd] - pd[t->jspringadr[n2] + MAGGI_JSPRING_REST][nd]) -
             (pd[t->jspringadr[n2] + MAGGI_JSPRING_C][nd] * xv + p[t->jspringadr[n2] +
             MAGGI_JSPRING_C] * xvd[nd]) - pd[t->jspringadr[n2] + MAGGI_JSPRING_PRELOAD][nd];
-        z0_2d = x2d[nd];
+        z0_4d = x2d[nd];
         z1_2d = xvd[nd];
-        sd[i][0][nd] = z0_2d;
+        sd[i][0][nd] = z0_4d;
         sd[i][1][nd] = z1_2d;
         sd[i][2][nd] = torque0d;
       }
     } else if (t->sensorkind[i] == MAGGI_SENSOR_ROD) {
-      a4 = t->primpa[n2];
-      b2 = t->primpb[n2];
-      e20 = r[a4][0] - r[b2][0];
-      ev20 = rv[a4][0] - rv[b2][0];
-      e21 = r[a4][1] - r[b2][1];
-      ev21 = rv[a4][1] - rv[b2][1];
-      e22 = r[a4][2] - r[b2][2];
-      ev22 = rv[a4][2] - rv[b2][2];
+      a3 = t->primpa[n2];
+      b7 = t->primpb[n2];
+      e20 = r[a3][0] - r[b7][0];
+      ev20 = rv[a3][0] - rv[b7][0];
+      e21 = r[a3][1] - r[b7][1];
+      ev21 = rv[a3][1] - rv[b7][1];
+      e22 = r[a3][2] - r[b7][2];
+      ev22 = rv[a3][2] - rv[b7][2];
       t7 = e20 * e20 + e21 * e21 + e22 * e22;
       l2 = sqrt(t7);
-      c12 = 1.0 / (2.0 * l2);
+      c13 = 1.0 / (2.0 * l2);
       z1_3 = s[i][1];
       l2inv = 1.0 / l2;
 #pragma omp simd
       for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-        double e20d, e21d, e22d, ev20d, ev21d, ev22d, l2d, t7d, z0_3d, z1_3d;
+        double e20d, e21d, e22d, ev20d, ev21d, ev22d, l2d, t7d, z0_5d, z1_3d;
 
         /* distance of two points and its rate */
-        e20d = rd[a4][0][nd] - rd[b2][0][nd];
-        ev20d = rvd[a4][0][nd] - rvd[b2][0][nd];
-        e21d = rd[a4][1][nd] - rd[b2][1][nd];
-        ev21d = rvd[a4][1][nd] - rvd[b2][1][nd];
-        e22d = rd[a4][2][nd] - rd[b2][2][nd];
-        ev22d = rvd[a4][2][nd] - rvd[b2][2][nd];
+        e20d = rd[a3][0][nd] - rd[b7][0][nd];
+        ev20d = rvd[a3][0][nd] - rvd[b7][0][nd];
+        e21d = rd[a3][1][nd] - rd[b7][1][nd];
+        ev21d = rvd[a3][1][nd] - rvd[b7][1][nd];
+        e22d = rd[a3][2][nd] - rd[b7][2][nd];
+        ev22d = rvd[a3][2][nd] - rvd[b7][2][nd];
         t7d = e20d * e20 + e20 * e20d + (e21d * e21 + e21 * e21d) + (e22d * e22 + e22 * e22d);
-        l2d = c12 * t7d;
-        z0_3d = l2d;
+        l2d = c13 * t7d;
+        z0_5d = l2d;
         z1_3d = (e20d * ev20 + e20 * ev20d + (e21d * ev21 + e21 * ev21d) + (e22d * ev22 + e22 *
             ev22d) - z1_3 * l2d) * l2inv;
-        sd[i][0][nd] = z0_3d;
+        sd[i][0][nd] = z0_5d;
         sd[i][1][nd] = z1_3d;
         sd[i][2][nd] = lambdad[t->primrow[n2]][nd];
       }
+    } else if (t->sensorkind[i] == MAGGI_SENSOR_TYRE_SLIP) {
+      c14 = 1.0 / (1.0 + slip[n2][MAGGI_SLIP_TAN_ALPHA] * slip[n2][MAGGI_SLIP_TAN_ALPHA]);
+#pragma omp simd
+      for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+        sd[i][0][nd] = slipd[n2][MAGGI_SLIP_KAPPA][nd];
+        sd[i][1][nd] = c14 * slipd[n2][MAGGI_SLIP_TAN_ALPHA][nd];
+        sd[i][2][nd] = slipd[n2][MAGGI_SLIP_GAMMA][nd];
+      }
+    } else if (t->sensorkind[i] == MAGGI_SENSOR_TYRE_FORCE) {
+#pragma omp simd
+      for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+        sd[i][0][nd] = gripd[n2][0][nd];
+        sd[i][1][nd] = gripd[n2][1][nd];
+        sd[i][2][nd] = gripd[n2][2][nd];
+      }
+    } else if (t->sensorkind[i] == MAGGI_SENSOR_TYRE_MOMENT) {
+#pragma omp simd
+      for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+        sd[i][0][nd] = gripd[n2][3][nd];
+        sd[i][1][nd] = gripd[n2][4][nd];
+        sd[i][2][nd] = gripd[n2][5][nd];
+      }
+    } else if (t->sensorkind[i] == MAGGI_SENSOR_TYRE_CONTACT) {
+#pragma omp simd
+      for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+        double slip_n2d;
+
+        slip_n2d = slipd[n2][MAGGI_SLIP_RADIUS][nd];
+        sd[i][0][nd] = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_UNLOADED_RADIUS][nd] - slip_n2d;
+        sd[i][1][nd] = slip_n2d;
+        sd[i][2][nd] = slipd[n2][MAGGI_SLIP_ROLLING][nd];
+      }
     } else {
-      a4_2 = t->wheelpoint[n2];
-      b2_2 = t->wheelroad[n2];
-      j = t->wheelbody[n2];
-      k = t->wheelcarrier[n2];
       side = t->wheelmirror[n2] ? -1.0 : 1.0;
-      a00 = p[t->wheelaxis[n2]];
-      a01 = p[t->wheelaxis[n2] + 1];
-      a02 = p[t->wheelaxis[n2] + 2];
-      ua0 = A[j][0] * a00 + A[j][1] * a01 + A[j][2] * a02;
-      ua1 = A[j][3] * a00 + A[j][4] * a01 + A[j][5] * a02;
-      ua2 = A[j][6] * a00 + A[j][7] * a01 + A[j][8] * a02;
-      t8 = ua0 * ua0 + ua1 * ua1 + ua2 * ua2;
-      n4 = sqrt(t8);
-      c13 = 1.0 / (2.0 * n4);
-      u20 = ua0 / n4;
-      n4inv = 1.0 / n4;
-      u21 = ua1 / n4;
-      u22 = ua2 / n4;
-      g0 = r[a4_2][0] - r[t->roadpoint[b2_2]][0];
-      g2_2 = r[a4_2][2] - r[t->roadpoint[b2_2]][2];
-      x4 = g0;
-#pragma omp simd
-      for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-        double a00d, a01d, a02d, n4d, t8d, ua0d, ua1d, ua2d;
-
-        a00d = pd[t->wheelaxis[n2]][nd];
-        a01d = pd[t->wheelaxis[n2] + 1][nd];
-        a02d = pd[t->wheelaxis[n2] + 2][nd];
-        ua0d = Ad[j][0][nd] * a00 + A[j][0] * a00d + (Ad[j][1][nd] * a01 + A[j][1] * a01d) +
-            (Ad[j][2][nd] * a02 + A[j][2] * a02d);
-        ua1d = Ad[j][3][nd] * a00 + A[j][3] * a00d + (Ad[j][4][nd] * a01 + A[j][4] * a01d) +
-            (Ad[j][5][nd] * a02 + A[j][5] * a02d);
-        ua2d = Ad[j][6][nd] * a00 + A[j][6] * a00d + (Ad[j][7][nd] * a01 + A[j][7] * a01d) +
-            (Ad[j][8][nd] * a02 + A[j][8] * a02d);
-        t8d = ua0d * ua0 + ua0 * ua0d + (ua1d * ua1 + ua1 * ua1d) + (ua2d * ua2 + ua2 * ua2d);
-        n4d = c13 * t8d;
-        u20d[nd] = (ua0d - u20 * n4d) * n4inv;
-        u21d[nd] = (ua1d - u21 * n4d) * n4inv;
-        u22d[nd] = (ua2d - u22 * n4d) * n4inv;
-        g0d[nd] = rd[a4_2][0][nd] - rd[t->roadpoint[b2_2]][0][nd];
-        g2_2d[nd] = rd[a4_2][2][nd] - rd[t->roadpoint[b2_2]][2][nd];
-        /* Where the rigid disc of a wheel meets the road: the plane that touches the road where the line from
-         * the centre down the disc meets it, n its normal; then down the disc to that plane,
-         *   e = (u.n u - n) / |u × n|,  r = (c - q).n / |u × n|,  T = u × n / |u × n|,  L = n × T
-         * g: centre c from the point of the road.  arm: r e; z: r, u.n, |u × n| */
-        x4d[nd] = g0d[nd];
-      }
-      /* height of the road above its point at x ahead of it, and its slope */
-      if (t->roadkind[b2_2] == MAGGI_ROAD_FLAT) {
-        p_b2 = p[t->roadadr[b2_2]];
-        h00 = p_b2 * x4;
+      /* slopes of the formula, which a tyre of the other side has as well; 0 in the air */
+      if (MAGGI_RE(grip[n2][2]) > 0.0) {
+        one0 = slip[n2][MAGGI_SLIP_KAPPA];
+        one1 = side * slip[n2][MAGGI_SLIP_TAN_ALPHA];
+        one2 = side * slip[n2][MAGGI_SLIP_GAMMA];
+        one3 = grip[n2][2];
+        kappa = one0;
+        a2 = one1;
+        gamma = one2;
+        fz = one3;
+        fz0 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LFZO] * p[t->tyreadr[t->wheeltyre[n2]]];
+        dfz = (fz - fz0) / fz0;
+        fz0inv = 1.0 / fz0;
+        kx = kappa + (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PHX1] +
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PHX2] * dfz) *
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LHX];
+        gx2 = gamma * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LGAX];
+        mux = (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDX1] + p[t->tyreadr[t->wheeltyre[n2]] +
+            MAGGI_TYRE_PDX2] * dfz) * (1.0 - p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDX3] * gx2
+            * gx2) * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMUX];
+        e3 = (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEX1] + (p[t->tyreadr[t->wheeltyre[n2]] +
+            MAGGI_TYRE_PEX2] + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEX3] * dfz) * dfz) *
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LEX];
 #pragma omp simd
         for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-          double p_b2d;
+          double fz0d, gx2d, one0d, one1d, one2d, one3d;
 
-          p_b2d = pd[t->roadadr[b2_2]][nd];
-          h00d[nd] = p_b2d * x4 + p_b2 * x4d[nd];
+          one0d = slipd[n2][MAGGI_SLIP_KAPPA][nd];
+          one1d = side * slipd[n2][MAGGI_SLIP_TAN_ALPHA][nd];
+          one2d = side * slipd[n2][MAGGI_SLIP_GAMMA][nd];
+          one3d = gripd[n2][2][nd];
+          kappad[nd] = one0d;
+          a2d[nd] = one1d;
+          gammad[nd] = one2d;
+          fzd[nd] = one3d;
+          fz0d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LFZO][nd] *
+              p[t->tyreadr[t->wheeltyre[n2]]] + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LFZO] *
+              pd[t->tyreadr[t->wheeltyre[n2]]][nd];
+          dfzd[nd] = (fzd[nd] - fz0d - dfz * fz0d) * fz0inv;
+          kxd[nd] = kappad[nd] + ((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PHX1][nd] +
+              (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PHX2][nd] * dfz +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PHX2] * dfzd[nd])) *
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LHX] + (p[t->tyreadr[t->wheeltyre[n2]] +
+              MAGGI_TYRE_PHX1] + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PHX2] * dfz) *
+              pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LHX][nd]);
+          gx2d = gammad[nd] * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LGAX] + gamma *
+              pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LGAX][nd];
+          muxd[nd] = ((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDX1][nd] +
+              (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDX2][nd] * dfz +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDX2] * dfzd[nd])) * (1.0 -
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDX3] * gx2 * gx2) -
+              (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDX1] + p[t->tyreadr[t->wheeltyre[n2]] +
+              MAGGI_TYRE_PDX2] * dfz) * ((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDX3][nd] *
+              gx2 + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDX3] * gx2d) * gx2 +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDX3] * gx2 * gx2d)) *
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMUX] + (p[t->tyreadr[t->wheeltyre[n2]] +
+              MAGGI_TYRE_PDX1] + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDX2] * dfz) * (1.0 -
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDX3] * gx2 * gx2) *
+              pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMUX][nd];
+          e3d[nd] = (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEX1][nd] +
+              ((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEX2][nd] +
+              (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEX3][nd] * dfz +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEX3] * dfzd[nd])) * dfz +
+              (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEX2] + p[t->tyreadr[t->wheeltyre[n2]] +
+              MAGGI_TYRE_PEX3] * dfz) * dfzd[nd])) * p[t->tyreadr[t->wheeltyre[n2]] +
+              MAGGI_TYRE_LEX] + (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEX1] +
+              (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEX2] + p[t->tyreadr[t->wheeltyre[n2]] +
+              MAGGI_TYRE_PEX3] * dfz) * dfz) * pd[t->tyreadr[t->wheeltyre[n2]] +
+              MAGGI_TYRE_LEX][nd];
         }
-      } else {
-        p_b2_2 = p[t->roadadr[b2_2] + 1];
-        t9 = 6.28318530717958647693 * x4 / p_b2_2;
-        p_b2_2inv = 1.0 / p_b2_2;
-        t10 = sin(t9);
-        c14 = cos(t9);
-        p_b2_3 = p[t->roadadr[b2_2]];
-        h00 = p_b2_3 * t10;
-#pragma omp simd
-        for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-          double p_b2_2d, p_b2_3d, t10d, t9d;
-
-          p_b2_2d = pd[t->roadadr[b2_2] + 1][nd];
-          t9d = (6.28318530717958647693 * x4d[nd] - t9 * p_b2_2d) * p_b2_2inv;
-          t10d = c14 * t9d;
-          p_b2_3d = pd[t->roadadr[b2_2]][nd];
-          h00d[nd] = p_b2_3d * t10 + p_b2_3 * t10d;
-        }
-      }
-      t11 = u20 * u20 + u21 * u21;
-      t12 = u22 * u20 / t11;
-      t11inv = 1.0 / t11;
-      x3 = g0 + t12 * (g2_2 - h00);
-#pragma omp simd
-      for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-        double t11d, t12d;
-
-        t11d = u20d[nd] * u20 + u20 * u20d[nd] + (u21d[nd] * u21 + u21 * u21d[nd]);
-        t12d = (u22d[nd] * u20 + u22 * u20d[nd] - t12 * t11d) * t11inv;
-        x3d[nd] = g0d[nd] + (t12d * (g2_2 - h00) + t12 * (g2_2d[nd] - h00d[nd]));
-      }
-      /* height of the road above its point at x ahead of it, and its slope */
-      if (t->roadkind[b2_2] == MAGGI_ROAD_FLAT) {
-        p_b2_4 = p[t->roadadr[b2_2]];
-        h10 = p_b2_4 * x3;
-        h11 = p_b2_4;
-#pragma omp simd
-        for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-          double p_b2_4d;
-
-          p_b2_4d = pd[t->roadadr[b2_2]][nd];
-          h10d[nd] = p_b2_4d * x3 + p_b2_4 * x3d[nd];
-          h11d[nd] = p_b2_4d;
-        }
-      } else {
-        p_b2_5 = p[t->roadadr[b2_2] + 1];
-        t13 = 6.28318530717958647693 * x3 / p_b2_5;
-        p_b2_5inv = 1.0 / p_b2_5;
-        t14 = sin(t13);
-        c15 = cos(t13);
-        p_b2_6 = p[t->roadadr[b2_2]];
-        h10 = p_b2_6 * t14;
-        t15 = p_b2_6 * 6.28318530717958647693 / p_b2_5;
-        t16 = 6.28318530717958647693 * x3 / p_b2_5;
-        t17 = cos(t16);
-        c16 = -sin(t16);
-        h11 = t15 * t17;
-#pragma omp simd
-        for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-          double p_b2_5d, p_b2_6d, t13d, t14d, t15d, t16d, t17d;
-
-          p_b2_5d = pd[t->roadadr[b2_2] + 1][nd];
-          t13d = (6.28318530717958647693 * x3d[nd] - t13 * p_b2_5d) * p_b2_5inv;
-          t14d = c15 * t13d;
-          p_b2_6d = pd[t->roadadr[b2_2]][nd];
-          h10d[nd] = p_b2_6d * t14 + p_b2_6 * t14d;
-          t15d = (p_b2_6d * 6.28318530717958647693 - t15 * p_b2_5d) * p_b2_5inv;
-          t16d = (6.28318530717958647693 * x3d[nd] - t16 * p_b2_5d) * p_b2_5inv;
-          t17d = c16 * t16d;
-          h11d[nd] = t15d * t17 + t15 * t17d;
-        }
-      }
-      t18 = 1.0 + h11 * h11;
-      s2 = sqrt(t18);
-      c17 = 1.0 / (2.0 * s2);
-      n50 = -h11 / s2;
-      s2inv = 1.0 / s2;
-      n51 = 0.0;
-      n52 = 1.0 / s2;
-      c = u20 * n50 + u21 * n51 + u22 * n52;
-      un0 = u21 * n52 - u22 * n51;
-      un1 = u22 * n50 - u20 * n52;
-      un2 = u20 * n51 - u21 * n50;
-      t19 = un0 * un0 + un1 * un1 + un2 * un2;
-      w = sqrt(t19);
-      c18 = 1.0 / (2.0 * w);
-      r2 = ((g0 - x3) * n50 + (g2_2 - h10) * n52) / w;
-      winv = 1.0 / w;
-      along0 = un0 / w;
-      along1 = un1 / w;
-      along2 = un2 / w;
-      L0 = n51 * along2 - n52 * along1;
-      L1 = n52 * along0 - n50 * along2;
-      L2 = n50 * along1 - n51 * along0;
-      arm0 = r2 * (c * u20 - n50) / w;
-      T0 = along0;
-      N0 = n50;
-      arm1 = r2 * (c * u21 - n51) / w;
-      T1 = along1;
-      N1 = n51;
-      arm2 = r2 * (c * u22 - n52) / w;
-      T2 = along2;
-      N2 = n52;
-      z20 = r2;
-      z21 = c;
-      z22 = w;
-      Z_k3 = Z[k][3];
-      wr0 = Z_k3;
-      Z_k4 = Z[k][4];
-      wr1 = Z_k4;
-      Z_k5 = Z[k][5];
-      wr2 = Z_k5;
-      vr0 = wr1 * arm2 - wr2 * arm1;
-      vr1 = wr2 * arm0 - wr0 * arm2;
-      vr2 = wr0 * arm1 - wr1 * arm0;
-      v20 = rv[a4_2][0] + vr0;
-      v21 = rv[a4_2][1] + vr1;
-      v22 = rv[a4_2][2] + vr2;
-      vx = v20 * T0 + v21 * T1 + v22 * T2;
-      rhov = -(v20 * N0 + v21 * N1 + v22 * N2) / z22;
-      z22inv = 1.0 / z22;
-      omega = (Z[j][3] - Z_k3) * u20 + (Z[j][4] - Z_k4) * u21 + (Z[j][5] - Z_k5) * u22;
-      p2 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_VERTICAL_STIFFNESS];
-      p3 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_UNLOADED_RADIUS];
-      fz = p2 * (p3 - z20) + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_VERTICAL_DAMPING] * rhov;
-      fz0 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LFZO] * p[t->tyreadr[t->wheeltyre[n2]]];
-      ratio = fz / fz0;
-      fz0inv = 1.0 / fz0;
-      t20 = fz0 / p2;
-      p2inv = 1.0 / p2;
-      t21 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_BREFF] * ratio;
-      t22 = atan(t21);
-      c19 = 1.0 / (1.0 + t21 * t21);
-      re = p3 - t20 * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_DREFF] * t22 +
-          p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_FREFF] * ratio);
-#pragma omp simd
-      for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-        double N0d, N2d, T0d, T1d, T2d, Z_k3d, Z_k4d, Z_k5d, along0d, along1d, along2d, arm0d,
-            arm1d, arm2d, cd, fz0d, n50d, n52d, p2d, p3d, r2d, ratiod, rhovd, s2d, t18d, t19d, t20d,
-            t21d, t22d, un0d, un1d, un2d, vr0d, vr1d, vr2d, wd, wr0d, wr1d, wr2d, z20d;
-
-        t18d = h11d[nd] * h11 + h11 * h11d[nd];
-        s2d = c17 * t18d;
-        n50d = (-h11d[nd] - n50 * s2d) * s2inv;
-        n52d = -(n52 * s2d * s2inv);
-        cd = u20d[nd] * n50 + u20 * n50d + u21d[nd] * n51 + (u22d[nd] * n52 + u22 * n52d);
-        un0d = u21d[nd] * n52 + u21 * n52d - u22d[nd] * n51;
-        un1d = u22d[nd] * n50 + u22 * n50d - (u20d[nd] * n52 + u20 * n52d);
-        un2d = u20d[nd] * n51 - (u21d[nd] * n50 + u21 * n50d);
-        t19d = un0d * un0 + un0 * un0d + (un1d * un1 + un1 * un1d) + (un2d * un2 + un2 * un2d);
-        wd = c18 * t19d;
-        r2d = ((g0d[nd] - x3d[nd]) * n50 + (g0 - x3) * n50d + ((g2_2d[nd] - h10d[nd]) * n52 + (g2_2
-            - h10) * n52d) - r2 * wd) * winv;
-        along0d = (un0d - along0 * wd) * winv;
-        along1d = (un1d - along1 * wd) * winv;
-        along2d = (un2d - along2 * wd) * winv;
-        L0d[nd] = n51 * along2d - (n52d * along1 + n52 * along1d);
-        L1d[nd] = n52d * along0 + n52 * along0d - (n50d * along2 + n50 * along2d);
-        L2d[nd] = n50d * along1 + n50 * along1d - n51 * along0d;
-        arm0d = (r2d * (c * u20 - n50) + r2 * (cd * u20 + c * u20d[nd] - n50d) - arm0 * wd) * winv;
-        T0d = along0d;
-        N0d = n50d;
-        arm1d = (r2d * (c * u21 - n51) + r2 * (cd * u21 + c * u21d[nd]) - arm1 * wd) * winv;
-        T1d = along1d;
-        arm2d = (r2d * (c * u22 - n52) + r2 * (cd * u22 + c * u22d[nd] - n52d) - arm2 * wd) * winv;
-        T2d = along2d;
-        N2d = n52d;
-        z20d = r2d;
-        z21d[nd] = cd;
-        z22d[nd] = wd;
-        Z_k3d = Zd[k][3][nd];
-        wr0d = Z_k3d;
-        Z_k4d = Zd[k][4][nd];
-        wr1d = Z_k4d;
-        Z_k5d = Zd[k][5][nd];
-        wr2d = Z_k5d;
-        vr0d = wr1d * arm2 + wr1 * arm2d - (wr2d * arm1 + wr2 * arm1d);
-        vr1d = wr2d * arm0 + wr2 * arm0d - (wr0d * arm2 + wr0 * arm2d);
-        vr2d = wr0d * arm1 + wr0 * arm1d - (wr1d * arm0 + wr1 * arm0d);
-        v20d[nd] = rvd[a4_2][0][nd] + vr0d;
-        v21d[nd] = rvd[a4_2][1][nd] + vr1d;
-        v22d[nd] = rvd[a4_2][2][nd] + vr2d;
-        vxd[nd] = v20d[nd] * T0 + v20 * T0d + (v21d[nd] * T1 + v21 * T1d) + (v22d[nd] * T2 + v22 *
-            T2d);
-        rhovd = (-(v20d[nd] * N0 + v20 * N0d + v21d[nd] * N1 + (v22d[nd] * N2 + v22 * N2d)) - rhov *
-            z22d[nd]) * z22inv;
-        omegad[nd] = (Zd[j][3][nd] - Z_k3d) * u20 + (Z[j][3] - Z_k3) * u20d[nd] + ((Zd[j][4][nd] -
-            Z_k4d) * u21 + (Z[j][4] - Z_k4) * u21d[nd]) + ((Zd[j][5][nd] - Z_k5d) * u22 + (Z[j][5] -
-            Z_k5) * u22d[nd]);
-        p2d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_VERTICAL_STIFFNESS][nd];
-        p3d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_UNLOADED_RADIUS][nd];
-        fzd[nd] = p2d * (p3 - z20) + p2 * (p3d - z20d) + (pd[t->tyreadr[t->wheeltyre[n2]] +
-            MAGGI_TYRE_VERTICAL_DAMPING][nd] * rhov + p[t->tyreadr[t->wheeltyre[n2]] +
-            MAGGI_TYRE_VERTICAL_DAMPING] * rhovd);
-        fz0d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LFZO][nd] *
-            p[t->tyreadr[t->wheeltyre[n2]]] + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LFZO] *
-            pd[t->tyreadr[t->wheeltyre[n2]]][nd];
-        ratiod = (fzd[nd] - ratio * fz0d) * fz0inv;
-        t20d = (fz0d - t20 * p2d) * p2inv;
-        t21d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_BREFF][nd] * ratio +
-            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_BREFF] * ratiod;
-        t22d = c19 * t21d;
-        red[nd] = p3d - (t20d * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_DREFF] * t22 +
-            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_FREFF] * ratio) + t20 *
-            (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_DREFF][nd] * t22 +
-            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_DREFF] * t22d +
-            (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_FREFF][nd] * ratio +
-            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_FREFF] * ratiod)));
-      }
-      /* |v|; less than low gives way to (low + v^2 / low) / 2, which is not 0 at rest */
-      if (MAGGI_RE(vx) > MAGGI_RE(p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_VXLOW])) {
-        y = vx;
-#pragma omp simd
-        for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-          yd[nd] = vxd[nd];
-        }
-      } else if (MAGGI_RE(vx) < -MAGGI_RE(p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_VXLOW])) {
-        y = -vx;
-#pragma omp simd
-        for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-          yd[nd] = -vxd[nd];
-        }
-      } else {
-        p4 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_VXLOW];
-        t23 = vx * vx / p4;
-        p4inv = 1.0 / p4;
-        y = 0.5 * (p4 + t23);
-#pragma omp simd
-        for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-          double p4d, t23d;
-
-          p4d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_VXLOW][nd];
-          t23d = (vxd[nd] * vx + vx * vxd[nd] - t23 * p4d) * p4inv;
-          yd[nd] = 0.5 * (p4d + t23d);
-        }
-      }
-      speed = y;
-      kappa = (omega * re - vx) / speed;
-      speedinv = 1.0 / speed;
-      a2 = (v20 * L0 + v21 * L1 + v22 * L2) / speed;
-      gamma = atan2(z21, z22);
-      c20 = z22 / (z22 * z22 + z21 * z21);
-      c21 = -(z21 / (z22 * z22 + z21 * z21));
-#pragma omp simd
-      for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-        double speedd;
-
-        speedd = yd[nd];
-        kappad[nd] = (omegad[nd] * re + omega * red[nd] - vxd[nd] - kappa * speedd) * speedinv;
-        a2d[nd] = (v20d[nd] * L0 + v20 * L0d[nd] + (v21d[nd] * L1 + v21 * L1d[nd]) + (v22d[nd] * L2
-            + v22 * L2d[nd]) - a2 * speedd) * speedinv;
-        gammad[nd] = c20 * z21d[nd] + c21 * z22d[nd];
-      }
-      if (MAGGI_RE(fz) > 0.0 && MAGGI_RE(z20) < MAGGI_RE(p[t->tyreadr[t->wheeltyre[n2]] +
-          MAGGI_TYRE_UNLOADED_RADIUS])) {
-        one0 = kappa;
-        one1 = side * a2;
-        one2 = side * gamma;
-        one3 = fz;
-        one4 = vx;
-#pragma omp simd
-        for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-          one0d[nd] = kappad[nd];
-          one1d[nd] = side * a2d[nd];
-          one2d[nd] = side * gammad[nd];
-          one3d[nd] = fzd[nd];
-          one4d[nd] = vxd[nd];
-        }
-        if (t->wheelgrip[n2]) {
-          kappa2 = one0;
-          a3 = one1;
-          gamma2 = one2;
-          fz2 = one3;
-          fz0_2 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LFZO] *
-              p[t->tyreadr[t->wheeltyre[n2]]];
-          r0 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_UNLOADED_RADIUS];
-          dfz = (fz2 - fz0_2) / fz0_2;
-          fz0_2inv = 1.0 / fz0_2;
-          kx = kappa2 + (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PHX1] +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PHX2] * dfz) *
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LHX];
-          gx = gamma2 * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LGAX];
-          cx = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PCX1] * p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_LCX];
-          mux = (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDX1] + p[t->tyreadr[t->wheeltyre[n2]]
-              + MAGGI_TYRE_PDX2] * dfz) * (1.0 - p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDX3] *
-              gx * gx) * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMUX];
-          dx = mux * fz2;
-          e3 = (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEX1] + p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_PEX2] * dfz + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEX3] * dfz *
-              dfz) * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LEX];
+        if (MAGGI_RE(kx) > 0.0) {
+          e4 = e3 * (1.0 - p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEX4]);
 #pragma omp simd
           for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-            double gxd, muxd;
-
-            kappa2d[nd] = one0d[nd];
-            a3d[nd] = one1d[nd];
-            gamma2d[nd] = one2d[nd];
-            fz2d[nd] = one3d[nd];
-            fz0_2d[nd] = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LFZO][nd] *
-                p[t->tyreadr[t->wheeltyre[n2]]] + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LFZO]
-                * pd[t->tyreadr[t->wheeltyre[n2]]][nd];
-            r0d[nd] = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_UNLOADED_RADIUS][nd];
-            dfzd[nd] = (fz2d[nd] - fz0_2d[nd] - dfz * fz0_2d[nd]) * fz0_2inv;
-            /* Fx0, Kx */
-            kxd[nd] = kappa2d[nd] + ((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PHX1][nd] +
-                (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PHX2][nd] * dfz +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PHX2] * dfzd[nd])) *
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LHX] + (p[t->tyreadr[t->wheeltyre[n2]] +
-                MAGGI_TYRE_PHX1] + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PHX2] * dfz) *
-                pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LHX][nd]);
-            gxd = gamma2d[nd] * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LGAX] + gamma2 *
-                pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LGAX][nd];
-            cxd[nd] = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PCX1][nd] *
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LCX] + p[t->tyreadr[t->wheeltyre[n2]] +
-                MAGGI_TYRE_PCX1] * pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LCX][nd];
-            muxd = ((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDX1][nd] +
-                (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDX2][nd] * dfz +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDX2] * dfzd[nd])) * (1.0 -
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDX3] * gx * gx) -
-                (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDX1] + p[t->tyreadr[t->wheeltyre[n2]]
-                + MAGGI_TYRE_PDX2] * dfz) * ((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDX3][nd]
-                * gx + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDX3] * gxd) * gx +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDX3] * gx * gxd)) *
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMUX] + (p[t->tyreadr[t->wheeltyre[n2]]
-                + MAGGI_TYRE_PDX1] + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDX2] * dfz) * (1.0
-                - p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDX3] * gx * gx) *
-                pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMUX][nd];
-            dxd[nd] = muxd * fz2 + mux * fz2d[nd];
-            e3d[nd] = (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEX1][nd] +
-                (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEX2][nd] * dfz +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEX2] * dfzd[nd]) +
-                ((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEX3][nd] * dfz +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEX3] * dfzd[nd]) * dfz +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEX3] * dfz * dfzd[nd])) *
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LEX] + (p[t->tyreadr[t->wheeltyre[n2]] +
-                MAGGI_TYRE_PEX1] + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEX2] * dfz +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEX3] * dfz * dfz) *
-                pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LEX][nd];
-          }
-          if (MAGGI_RE(kx) > 0.0) {
-            e4 = e3 * (1.0 - p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEX4]);
-#pragma omp simd
-            for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-              e4d[nd] = e3d[nd] * (1.0 - p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEX4]) - e3 *
-                  pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEX4][nd];
-            }
-            /* a curvature: more than 1 would turn the curve around */
-            if (MAGGI_RE(e4) > 1.0) {
-              y3 = 1.0;
-#pragma omp simd
-              for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-                y3d[nd] = 0.0;
-              }
-            } else {
-              y3 = e4;
-#pragma omp simd
-              for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-                y3d[nd] = e4d[nd];
-              }
-            }
-            ex = y3;
-#pragma omp simd
-            for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-              exd[nd] = y3d[nd];
-            }
-          } else {
-            e5 = e3 * (1.0 + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEX4]);
-#pragma omp simd
-            for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-              e5d[nd] = e3d[nd] * (1.0 + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEX4]) + e3 *
-                  pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEX4][nd];
-            }
-            /* a curvature: more than 1 would turn the curve around */
-            if (MAGGI_RE(e5) > 1.0) {
-              y4 = 1.0;
-#pragma omp simd
-              for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-                y4d[nd] = 0.0;
-              }
-            } else {
-              y4 = e5;
-#pragma omp simd
-              for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-                y4d[nd] = e5d[nd];
-              }
-            }
-            ex = y4;
-#pragma omp simd
-            for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-              exd[nd] = y4d[nd];
-            }
-          }
-          t24 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKX3] * dfz;
-          t25 = exp(t24);
-          stiff = fz2 * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKX1] +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKX2] * dfz) * t25 *
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LKX];
-          t26 = cx * dx;
-          bx = stiff / t26;
-          t26inv = 1.0 / t26;
-          svx = fz2 * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVX1] +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVX2] * dfz) *
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LVX] * p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_LMUX];
-          y5 = bx * kx;
-          t27 = atan(y5);
-          c22 = 1.0 / (1.0 + y5 * y5);
-          t28 = (1.0 - ex) * y5 + ex * t27;
-          t29 = atan(t28);
-          c23 = 1.0 / (1.0 + t28 * t28);
-          t30 = cx * t29;
-          t31 = sin(t30);
-          c24 = cos(t30);
-          x50 = dx * t31 + svx;
-          x51 = stiff;
-          fz0_3 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LFZO] *
-              p[t->tyreadr[t->wheeltyre[n2]]];
-          gy = gamma2 * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LGAY];
-          shy = (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PHY1] + p[t->tyreadr[t->wheeltyre[n2]]
-              + MAGGI_TYRE_PHY2] * dfz) * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LHY] +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PHY3] * gy;
-          ay = a3 + shy;
-          cy = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PCY1] * p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_LCY];
-          muy = (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDY1] + p[t->tyreadr[t->wheeltyre[n2]]
-              + MAGGI_TYRE_PDY2] * dfz) * (1.0 - p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDY3] *
-              gy * gy) * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMUY];
-          dy = muy * fz2;
-          e6 = (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY1] + p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_PEY2] * dfz) * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LEY];
-#pragma omp simd
-          for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-            double bxd, stiffd, svxd, t24d, t25d, t26d, t27d, t28d, t29d, t30d, t31d, y5d;
-
-            t24d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKX3][nd] * dfz +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKX3] * dfzd[nd];
-            t25d = t25 * t24d;
-            stiffd = ((fz2d[nd] * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKX1] +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKX2] * dfz) + fz2 *
-                (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKX1][nd] +
-                (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKX2][nd] * dfz +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKX2] * dfzd[nd]))) * t25 + fz2 *
-                (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKX1] + p[t->tyreadr[t->wheeltyre[n2]]
-                + MAGGI_TYRE_PKX2] * dfz) * t25d) * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LKX]
-                + fz2 * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKX1] +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKX2] * dfz) * t25 *
-                pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LKX][nd];
-            t26d = cxd[nd] * dx + cx * dxd[nd];
-            bxd = (stiffd - bx * t26d) * t26inv;
-            svxd = ((fz2d[nd] * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVX1] +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVX2] * dfz) + fz2 *
-                (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVX1][nd] +
-                (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVX2][nd] * dfz +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVX2] * dfzd[nd]))) *
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LVX] + fz2 *
-                (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVX1] + p[t->tyreadr[t->wheeltyre[n2]]
-                + MAGGI_TYRE_PVX2] * dfz) * pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LVX][nd]) *
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMUX] + fz2 *
-                (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVX1] + p[t->tyreadr[t->wheeltyre[n2]]
-                + MAGGI_TYRE_PVX2] * dfz) * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LVX] *
-                pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMUX][nd];
-            /* C atan(B x - E (B x - atan(B x))), without a difference where E is 1 */
-            y5d = bxd * kx + bx * kxd[nd];
-            t27d = c22 * y5d;
-            t28d = -(exd[nd] * y5) + (1.0 - ex) * y5d + (exd[nd] * t27 + ex * t27d);
-            t29d = c23 * t28d;
-            t30d = cxd[nd] * t29 + cx * t29d;
-            t31d = c24 * t30d;
-            x50d[nd] = dxd[nd] * t31 + dx * t31d + svxd;
-            x51d[nd] = stiffd;
-            /* Fy0, Ky, muy, By Cy, SHy + SVy / Ky;  sin(2 atan(z)) = 2 z / (1 + z^2) */
-            fz0_3d[nd] = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LFZO][nd] *
-                p[t->tyreadr[t->wheeltyre[n2]]] + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LFZO]
-                * pd[t->tyreadr[t->wheeltyre[n2]]][nd];
-            gyd[nd] = gamma2d[nd] * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LGAY] + gamma2 *
-                pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LGAY][nd];
-            shyd[nd] = (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PHY1][nd] +
-                (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PHY2][nd] * dfz +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PHY2] * dfzd[nd])) *
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LHY] + (p[t->tyreadr[t->wheeltyre[n2]] +
-                MAGGI_TYRE_PHY1] + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PHY2] * dfz) *
-                pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LHY][nd] +
-                (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PHY3][nd] * gy +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PHY3] * gyd[nd]);
-            ayd[nd] = a3d[nd] + shyd[nd];
-            cyd[nd] = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PCY1][nd] *
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LCY] + p[t->tyreadr[t->wheeltyre[n2]] +
-                MAGGI_TYRE_PCY1] * pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LCY][nd];
-            muyd[nd] = ((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDY1][nd] +
-                (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDY2][nd] * dfz +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDY2] * dfzd[nd])) * (1.0 -
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDY3] * gy * gy) -
-                (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDY1] + p[t->tyreadr[t->wheeltyre[n2]]
-                + MAGGI_TYRE_PDY2] * dfz) * ((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDY3][nd]
-                * gy + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDY3] * gyd[nd]) * gy +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDY3] * gy * gyd[nd])) *
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMUY] + (p[t->tyreadr[t->wheeltyre[n2]]
-                + MAGGI_TYRE_PDY1] + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDY2] * dfz) * (1.0
-                - p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDY3] * gy * gy) *
-                pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMUY][nd];
-            dyd[nd] = muyd[nd] * fz2 + muy * fz2d[nd];
-            e6d[nd] = (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY1][nd] +
-                (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY2][nd] * dfz +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY2] * dfzd[nd])) *
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LEY] + (p[t->tyreadr[t->wheeltyre[n2]] +
-                MAGGI_TYRE_PEY1] + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY2] * dfz) *
-                pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LEY][nd];
-          }
-          if (MAGGI_RE(ay) > 0.0) {
-            e7 = e6 * (1.0 - (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY3] +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY4] * gy));
-#pragma omp simd
-            for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-              e7d[nd] = e6d[nd] * (1.0 - (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY3] +
-                  p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY4] * gy)) - e6 *
-                  (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY3][nd] +
-                  (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY4][nd] * gy +
-                  p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY4] * gyd[nd]));
-            }
-            /* a curvature: more than 1 would turn the curve around */
-            if (MAGGI_RE(e7) > 1.0) {
-              y6 = 1.0;
-#pragma omp simd
-              for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-                y6d[nd] = 0.0;
-              }
-            } else {
-              y6 = e7;
-#pragma omp simd
-              for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-                y6d[nd] = e7d[nd];
-              }
-            }
-            ey = y6;
-#pragma omp simd
-            for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-              eyd[nd] = y6d[nd];
-            }
-          } else {
-            e8 = e6 * (1.0 + (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY3] +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY4] * gy));
-#pragma omp simd
-            for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-              e8d[nd] = e6d[nd] * (1.0 + (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY3] +
-                  p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY4] * gy)) + e6 *
-                  (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY3][nd] +
-                  (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY4][nd] * gy +
-                  p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY4] * gyd[nd]));
-            }
-            /* a curvature: more than 1 would turn the curve around */
-            if (MAGGI_RE(e8) > 1.0) {
-              y7 = 1.0;
-#pragma omp simd
-              for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-                y7d[nd] = 0.0;
-              }
-            } else {
-              y7 = e8;
-#pragma omp simd
-              for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-                y7d[nd] = e8d[nd];
-              }
-            }
-            ey = y7;
-#pragma omp simd
-            for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-              eyd[nd] = y7d[nd];
-            }
-          }
-          t32 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKY2] * fz0_3;
-          z4 = fz2 / t32;
-          t32inv = 1.0 / t32;
-#pragma omp simd
-          for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-            double t32d;
-
-            t32d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKY2][nd] * fz0_3 +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKY2] * fz0_3d[nd];
-            z4d[nd] = (fz2d[nd] - z4 * t32d) * t32inv;
-          }
-          /* |x|, with two continuous derivatives:  w (15 y^2 - 10 y^4 + 3 y^6) / 8,  y = x / w,  in |x| < w;  0 at 0,
-           * where straight running is, and exact from w on */
-          if (MAGGI_RE(gy) > MAGGI_RE(p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LOW_CAMBER])) {
-            y8 = gy;
-#pragma omp simd
-            for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-              y8d[nd] = gyd[nd];
-            }
-          } else if (MAGGI_RE(gy) < -MAGGI_RE(p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_LOW_CAMBER])) {
-            y8 = -gy;
-#pragma omp simd
-            for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-              y8d[nd] = -gyd[nd];
-            }
-          } else {
-            p5 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LOW_CAMBER];
-            t33 = p5 * p5;
-            z5 = gy * gy / t33;
-            t33inv = 1.0 / t33;
-            y8 = 0.125 * p5 * z5 * (15.0 + z5 * (-10.0 + 3.0 * z5));
-#pragma omp simd
-            for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-              double p5d, t33d, z5d;
-
-              p5d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LOW_CAMBER][nd];
-              t33d = p5d * p5 + p5 * p5d;
-              z5d = (gyd[nd] * gy + gy * gyd[nd] - z5 * t33d) * t33inv;
-              y8d[nd] = (0.125 * p5d * z5 + 0.125 * p5 * z5d) * (15.0 + z5 * (-10.0 + 3.0 * z5)) +
-                  0.125 * p5 * z5 * (z5d * (-10.0 + 3.0 * z5) + z5 * (3.0 * z5d));
-            }
-          }
-          t34 = 1.0 + z4 * z4;
-          t35 = 2.0 * z4 / t34;
-          t34inv = 1.0 / t34;
-          stiff2 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKY1] * fz0_3 * t35 * (1.0 -
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKY3] * y8) *
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LKY];
-          t36 = cy * dy;
-          by = stiff2 / t36;
-          t36inv = 1.0 / t36;
-          svy = fz2 * ((p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVY1] +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVY2] * dfz) *
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LVY] + (p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_PVY3] + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVY4] * dfz) * gy) *
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMUY];
-          y9 = by * ay;
-          t37 = atan(y9);
-          c25 = 1.0 / (1.0 + y9 * y9);
-          t38 = (1.0 - ey) * y9 + ey * t37;
-          t39 = atan(t38);
-          c26 = 1.0 / (1.0 + t38 * t38);
-          t40 = cy * t39;
-          t41 = sin(t40);
-          c27 = cos(t40);
-          y20 = dy * t41 + svy;
-          y21 = stiff2;
-          y22 = muy;
-          y23 = by * cy;
-          t42 = svy / stiff2;
-          stiff2inv = 1.0 / stiff2;
-          y24 = shy + t42;
-          muy2 = y22;
-          x6 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RBY2] * (a3 -
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RBY3]);
-          t43 = 1.0 + x6 * x6;
-          t44 = sqrt(t43);
-          c28 = 1.0 / (2.0 * t44);
-          t45 = 1.0 / t44;
-          t44inv = 1.0 / t44;
-          stiff3 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RBY1] * t45 *
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LYKA];
-          e10 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_REY1] + p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_REY2] * dfz;
-#pragma omp simd
-          for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-            double byd, stiff2d, svyd, t34d, t35d, t36d, t37d, t38d, t39d, t40d, t41d, t42d, t43d,
-                t44d, t45d, x6d, y22d, y9d;
-
-            t34d = z4d[nd] * z4 + z4 * z4d[nd];
-            t35d = (2.0 * z4d[nd] - t35 * t34d) * t34inv;
-            stiff2d = (((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKY1][nd] * fz0_3 +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKY1] * fz0_3d[nd]) * t35 +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKY1] * fz0_3 * t35d) * (1.0 -
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKY3] * y8) -
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKY1] * fz0_3 * t35 *
-                (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKY3][nd] * y8 +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKY3] * y8d[nd])) *
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LKY] + p[t->tyreadr[t->wheeltyre[n2]] +
-                MAGGI_TYRE_PKY1] * fz0_3 * t35 * (1.0 - p[t->tyreadr[t->wheeltyre[n2]] +
-                MAGGI_TYRE_PKY3] * y8) * pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LKY][nd];
-            t36d = cyd[nd] * dy + cy * dyd[nd];
-            byd = (stiff2d - by * t36d) * t36inv;
-            svyd = (fz2d[nd] * ((p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVY1] +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVY2] * dfz) *
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LVY] + (p[t->tyreadr[t->wheeltyre[n2]] +
-                MAGGI_TYRE_PVY3] + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVY4] * dfz) * gy) +
-                fz2 * ((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVY1][nd] +
-                (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVY2][nd] * dfz +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVY2] * dfzd[nd])) *
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LVY] + (p[t->tyreadr[t->wheeltyre[n2]] +
-                MAGGI_TYRE_PVY1] + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVY2] * dfz) *
-                pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LVY][nd] +
-                ((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVY3][nd] +
-                (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVY4][nd] * dfz +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVY4] * dfzd[nd])) * gy +
-                (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVY3] + p[t->tyreadr[t->wheeltyre[n2]]
-                + MAGGI_TYRE_PVY4] * dfz) * gyd[nd]))) * p[t->tyreadr[t->wheeltyre[n2]] +
-                MAGGI_TYRE_LMUY] + fz2 * ((p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVY1] +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVY2] * dfz) *
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LVY] + (p[t->tyreadr[t->wheeltyre[n2]] +
-                MAGGI_TYRE_PVY3] + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVY4] * dfz) * gy) *
-                pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMUY][nd];
-            /* C atan(B x - E (B x - atan(B x))), without a difference where E is 1 */
-            y9d = byd * ay + by * ayd[nd];
-            t37d = c25 * y9d;
-            t38d = -(eyd[nd] * y9) + (1.0 - ey) * y9d + (eyd[nd] * t37 + ey * t37d);
-            t39d = c26 * t38d;
-            t40d = cyd[nd] * t39 + cy * t39d;
-            t41d = c27 * t40d;
-            y20d[nd] = dyd[nd] * t41 + dy * t41d + svyd;
-            y21d[nd] = stiff2d;
-            y22d = muyd[nd];
-            y23d[nd] = byd * cy + by * cyd[nd];
-            t42d = (svyd - t42 * stiff2d) * stiff2inv;
-            y24d[nd] = shyd[nd] + t42d;
-            muy2d[nd] = y22d;
-            /* Gyk, SVyk:  Fy = Gyk Fy0 + SVyk */
-            x6d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RBY2][nd] * (a3 -
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RBY3]) + p[t->tyreadr[t->wheeltyre[n2]]
-                + MAGGI_TYRE_RBY2] * (a3d[nd] - pd[t->tyreadr[t->wheeltyre[n2]] +
-                MAGGI_TYRE_RBY3][nd]);
-            t43d = x6d * x6 + x6 * x6d;
-            t44d = c28 * t43d;
-            t45d = -(t45 * t44d * t44inv);
-            stiff3d[nd] = (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RBY1][nd] * t45 +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RBY1] * t45d) *
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LYKA] + p[t->tyreadr[t->wheeltyre[n2]] +
-                MAGGI_TYRE_RBY1] * t45 * pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LYKA][nd];
-            e10d[nd] = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_REY1][nd] +
-                (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_REY2][nd] * dfz +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_REY2] * dfzd[nd]);
+            e4d[nd] = e3d[nd] * (1.0 - p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEX4]) - e3 *
+                pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEX4][nd];
           }
           /* a curvature: more than 1 would turn the curve around */
-          if (MAGGI_RE(e10) > 1.0) {
-            y10 = 1.0;
+          if (MAGGI_RE(e4) > 1.0) {
+            y2 = 1.0;
 #pragma omp simd
             for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-              y10d[nd] = 0.0;
+              y2d[nd] = 0.0;
             }
           } else {
-            y10 = e10;
+            y2 = e4;
 #pragma omp simd
             for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-              y10d[nd] = e10d[nd];
+              y2d[nd] = e4d[nd];
             }
           }
-          e9 = y10;
-          s4 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RHY1] + p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_RHY2] * dfz;
-          x7 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY4] * a3;
-          t46 = 1.0 + x7 * x7;
-          t47 = sqrt(t46);
-          c29 = 1.0 / (2.0 * t47);
-          t48 = 1.0 / t47;
-          t47inv = 1.0 / t47;
-          dv = muy2 * fz2 * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY1] +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY2] * dfz +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY3] * gamma2) * t48;
-          y11 = stiff3 * (kappa2 + s4);
-          y12 = stiff3 * s4;
-          t49 = atan(y11);
-          c30 = 1.0 / (1.0 + y11 * y11);
-          t50 = (1.0 - e9) * y11 + e9 * t49;
-          t51 = atan(t50);
-          c31 = 1.0 / (1.0 + t50 * t50);
-          p6 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RCY1];
-          t52 = p6 * t51;
-          t53 = cos(t52);
-          c32 = -sin(t52);
-          t54 = atan(y12);
-          c33 = 1.0 / (1.0 + y12 * y12);
-          t55 = (1.0 - e9) * y12 + e9 * t54;
-          t56 = atan(t55);
-          c34 = 1.0 / (1.0 + t55 * t55);
-          t57 = p6 * t56;
-          t58 = cos(t57);
-          c35 = -sin(t57);
-          g20 = t53 / t58;
-          t58inv = 1.0 / t58;
-          t59 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY6] * kappa2;
-          t60 = atan(t59);
-          c36 = 1.0 / (1.0 + t59 * t59);
-          t61 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY5] * t60;
-          t62 = sin(t61);
-          c37 = cos(t61);
-          g21 = dv * t62 * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LVYKA];
-          x8 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RBX2] * kappa2;
-          t63 = 1.0 + x8 * x8;
-          t64 = sqrt(t63);
-          c38 = 1.0 / (2.0 * t64);
-          t65 = 1.0 / t64;
-          t64inv = 1.0 / t64;
-          stiff4 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RBX1] * t65 *
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LXAL];
-          e12 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_REX1] + p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_REX2] * dfz;
+          ex = y2;
 #pragma omp simd
           for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-            double dvd, e9d, p6d, s4d, t46d, t47d, t48d, t49d, t50d, t51d, t52d, t53d, t54d, t55d,
-                t56d, t57d, t58d, t59d, t60d, t61d, t62d, t63d, t64d, t65d, x7d, x8d, y11d, y12d;
-
-            e9d = y10d[nd];
-            s4d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RHY1][nd] +
-                (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RHY2][nd] * dfz +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RHY2] * dfzd[nd]);
-            x7d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY4][nd] * a3 +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY4] * a3d[nd];
-            t46d = x7d * x7 + x7 * x7d;
-            t47d = c29 * t46d;
-            t48d = -(t48 * t47d * t47inv);
-            dvd = ((muy2d[nd] * fz2 + muy2 * fz2d[nd]) * (p[t->tyreadr[t->wheeltyre[n2]] +
-                MAGGI_TYRE_RVY1] + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY2] * dfz +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY3] * gamma2) + muy2 * fz2 *
-                (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY1][nd] +
-                (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY2][nd] * dfz +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY2] * dfzd[nd]) +
-                (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY3][nd] * gamma2 +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY3] * gamma2d[nd]))) * t48 + muy2 *
-                fz2 * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY1] +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY2] * dfz +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY3] * gamma2) * t48d;
-            /* C atan(B x - E (B x - atan(B x))), without a difference where E is 1 */
-            y11d = stiff3d[nd] * (kappa2 + s4) + stiff3 * (kappa2d[nd] + s4d);
-            /* C atan(B x - E (B x - atan(B x))), without a difference where E is 1 */
-            y12d = stiff3d[nd] * s4 + stiff3 * s4d;
-            t49d = c30 * y11d;
-            t50d = -(e9d * y11) + (1.0 - e9) * y11d + (e9d * t49 + e9 * t49d);
-            t51d = c31 * t50d;
-            p6d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RCY1][nd];
-            t52d = p6d * t51 + p6 * t51d;
-            t53d = c32 * t52d;
-            t54d = c33 * y12d;
-            t55d = -(e9d * y12) + (1.0 - e9) * y12d + (e9d * t54 + e9 * t54d);
-            t56d = c34 * t55d;
-            t57d = p6d * t56 + p6 * t56d;
-            t58d = c35 * t57d;
-            g20d[nd] = (t53d - g20 * t58d) * t58inv;
-            t59d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY6][nd] * kappa2 +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY6] * kappa2d[nd];
-            t60d = c36 * t59d;
-            t61d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY5][nd] * t60 +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY5] * t60d;
-            t62d = c37 * t61d;
-            g21d[nd] = (dvd * t62 + dv * t62d) * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LVYKA]
-                + dv * t62 * pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LVYKA][nd];
-            /* Gxa = Fx / Fx0 */
-            x8d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RBX2][nd] * kappa2 +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RBX2] * kappa2d[nd];
-            t63d = x8d * x8 + x8 * x8d;
-            t64d = c38 * t63d;
-            t65d = -(t65 * t64d * t64inv);
-            stiff4d[nd] = (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RBX1][nd] * t65 +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RBX1] * t65d) *
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LXAL] + p[t->tyreadr[t->wheeltyre[n2]] +
-                MAGGI_TYRE_RBX1] * t65 * pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LXAL][nd];
-            e12d[nd] = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_REX1][nd] +
-                (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_REX2][nd] * dfz +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_REX2] * dfzd[nd]);
-          }
-          /* a curvature: more than 1 would turn the curve around */
-          if (MAGGI_RE(e12) > 1.0) {
-            y13 = 1.0;
-#pragma omp simd
-            for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-              y13d[nd] = 0.0;
-            }
-          } else {
-            y13 = e12;
-#pragma omp simd
-            for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-              y13d[nd] = e12d[nd];
-            }
-          }
-          e11 = y13;
-          p7 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RHX1];
-          y14 = stiff4 * (a3 + p7);
-          y15 = stiff4 * p7;
-          t66 = atan(y14);
-          c39 = 1.0 / (1.0 + y14 * y14);
-          t67 = (1.0 - e11) * y14 + e11 * t66;
-          t68 = atan(t67);
-          c40 = 1.0 / (1.0 + t67 * t67);
-          p8 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RCX1];
-          t69 = p8 * t68;
-          t70 = cos(t69);
-          c41 = -sin(t69);
-          t71 = atan(y15);
-          c42 = 1.0 / (1.0 + y15 * y15);
-          t72 = (1.0 - e11) * y15 + e11 * t71;
-          t73 = atan(t72);
-          c43 = 1.0 / (1.0 + t72 * t72);
-          t74 = p8 * t73;
-          t75 = cos(t74);
-          c44 = -sin(t74);
-          t76 = t70 / t75;
-          t75inv = 1.0 / t75;
-          fx = x50 * t76;
-          fy = g20 * y20 + g21;
-          ratio2 = x51 * kappa2 / y21;
-          y21inv = 1.0 / y21;
-          bycy = y23;
-          shift = y24;
-          fz0_4 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LFZO] *
-              p[t->tyreadr[t->wheeltyre[n2]]];
-          gz = gamma2 * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LGAZ];
-          at = a3 + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QHZ1] +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QHZ2] * dfz +
-              (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QHZ3] + p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_QHZ4] * dfz) * gz;
-          ar = a3 + shift;
-          t77 = at * at + ratio2 * ratio2 + 1e-24;
-          ateq = sqrt(t77);
-          c45 = 1.0 / (2.0 * ateq);
-          t78 = ar * ar + ratio2 * ratio2 + 1e-24;
-          areq = sqrt(t78);
-          c46 = 1.0 / (2.0 * areq);
-#pragma omp simd
-          for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-            double ard, e11d, p7d, p8d, ratio2d, shiftd, t66d, t67d, t68d, t69d, t70d, t71d, t72d,
-                t73d, t74d, t75d, t76d, t77d, t78d, y14d, y15d;
-
-            e11d = y13d[nd];
-            p7d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RHX1][nd];
-            /* C atan(B x - E (B x - atan(B x))), without a difference where E is 1 */
-            y14d = stiff4d[nd] * (a3 + p7) + stiff4 * (a3d[nd] + p7d);
-            /* C atan(B x - E (B x - atan(B x))), without a difference where E is 1 */
-            y15d = stiff4d[nd] * p7 + stiff4 * p7d;
-            t66d = c39 * y14d;
-            t67d = -(e11d * y14) + (1.0 - e11) * y14d + (e11d * t66 + e11 * t66d);
-            t68d = c40 * t67d;
-            p8d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RCX1][nd];
-            t69d = p8d * t68 + p8 * t68d;
-            t70d = c41 * t69d;
-            t71d = c42 * y15d;
-            t72d = -(e11d * y15) + (1.0 - e11) * y15d + (e11d * t71 + e11 * t71d);
-            t73d = c43 * t72d;
-            t74d = p8d * t73 + p8 * t73d;
-            t75d = c44 * t74d;
-            t76d = (t70d - t76 * t75d) * t75inv;
-            fxd[nd] = x50d[nd] * t76 + x50 * t76d;
-            fyd[nd] = g20d[nd] * y20 + g20 * y20d[nd] + g21d[nd];
-            ratio2d = (x51d[nd] * kappa2 + x51 * kappa2d[nd] - ratio2 * y21d[nd]) * y21inv;
-            bycyd[nd] = y23d[nd];
-            shiftd = y24d[nd];
-            /* trail t at the slip `at` and residual moment Mzr at `ar`, each with the part `ratio` of kappa:
-             *   at_eq = sqrt(at^2 + ratio^2),  ar_eq likewise; sqrt has no derivative at 0, 1e-24 is added */
-            fz0_4d[nd] = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LFZO][nd] *
-                p[t->tyreadr[t->wheeltyre[n2]]] + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LFZO]
-                * pd[t->tyreadr[t->wheeltyre[n2]]][nd];
-            gzd[nd] = gamma2d[nd] * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LGAZ] + gamma2 *
-                pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LGAZ][nd];
-            atd[nd] = a3d[nd] + pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QHZ1][nd] +
-                (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QHZ2][nd] * dfz +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QHZ2] * dfzd[nd]) +
-                ((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QHZ3][nd] +
-                (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QHZ4][nd] * dfz +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QHZ4] * dfzd[nd])) * gz +
-                (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QHZ3] + p[t->tyreadr[t->wheeltyre[n2]]
-                + MAGGI_TYRE_QHZ4] * dfz) * gzd[nd]);
-            ard = a3d[nd] + shiftd;
-            t77d = atd[nd] * at + at * atd[nd] + (ratio2d * ratio2 + ratio2 * ratio2d);
-            ateqd[nd] = c45 * t77d;
-            t78d = ard * ar + ar * ard + (ratio2d * ratio2 + ratio2 * ratio2d);
-            areqd[nd] = c46 * t78d;
-          }
-          /* |x|, with two continuous derivatives:  w (15 y^2 - 10 y^4 + 3 y^6) / 8,  y = x / w,  in |x| < w;  0 at 0,
-           * where straight running is, and exact from w on */
-          if (MAGGI_RE(gz) > MAGGI_RE(p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LOW_CAMBER])) {
-            y16 = gz;
-#pragma omp simd
-            for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-              y16d[nd] = gzd[nd];
-            }
-          } else if (MAGGI_RE(gz) < -MAGGI_RE(p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_LOW_CAMBER])) {
-            y16 = -gz;
-#pragma omp simd
-            for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-              y16d[nd] = -gzd[nd];
-            }
-          } else {
-            p9 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LOW_CAMBER];
-            t79 = p9 * p9;
-            z6 = gz * gz / t79;
-            t79inv = 1.0 / t79;
-            y16 = 0.125 * p9 * z6 * (15.0 + z6 * (-10.0 + 3.0 * z6));
-#pragma omp simd
-            for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-              double p9d, t79d, z6d;
-
-              p9d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LOW_CAMBER][nd];
-              t79d = p9d * p9 + p9 * p9d;
-              z6d = (gzd[nd] * gz + gz * gzd[nd] - z6 * t79d) * t79inv;
-              y16d[nd] = (0.125 * p9d * z6 + 0.125 * p9 * z6d) * (15.0 + z6 * (-10.0 + 3.0 * z6)) +
-                  0.125 * p9 * z6 * (z6d * (-10.0 + 3.0 * z6) + z6 * (3.0 * z6d));
-            }
-          }
-          bt = (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QBZ1] + p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_QBZ2] * dfz + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QBZ3] * dfz *
-              dfz) * (1.0 + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QBZ4] * gz +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QBZ5] * y16) *
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LKY] / p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_LMUY];
-          inv = 1.0 / p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMUY];
-          t80 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_UNLOADED_RADIUS] / fz0_4;
-          fz0_4inv = 1.0 / fz0_4;
-          dt = fz2 * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ1] +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ2] * dfz) * (1.0 +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ3] * gz +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ4] * gz * gz) * t80 *
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LTR];
-          t81 = bt * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QCZ1] * at;
-          t82 = atan(t81);
-          c47 = 1.0 / (1.0 + t81 * t81);
-          e13 = (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QEZ1] + p[t->tyreadr[t->wheeltyre[n2]]
-              + MAGGI_TYRE_QEZ2] * dfz + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QEZ3] * dfz *
-              dfz) * (1.0 + (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QEZ4] +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QEZ5] * gz) * 0.63661977236758134308 *
-              t82);
-#pragma omp simd
-          for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-            double t80d, t81d, t82d;
-
-            btd[nd] = (((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QBZ1][nd] +
-                (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QBZ2][nd] * dfz +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QBZ2] * dfzd[nd]) +
-                ((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QBZ3][nd] * dfz +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QBZ3] * dfzd[nd]) * dfz +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QBZ3] * dfz * dfzd[nd])) * (1.0 +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QBZ4] * gz +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QBZ5] * y16) +
-                (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QBZ1] + p[t->tyreadr[t->wheeltyre[n2]]
-                + MAGGI_TYRE_QBZ2] * dfz + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QBZ3] * dfz *
-                dfz) * (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QBZ4][nd] * gz +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QBZ4] * gzd[nd] +
-                (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QBZ5][nd] * y16 +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QBZ5] * y16d[nd]))) *
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LKY] + (p[t->tyreadr[t->wheeltyre[n2]] +
-                MAGGI_TYRE_QBZ1] + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QBZ2] * dfz +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QBZ3] * dfz * dfz) * (1.0 +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QBZ4] * gz +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QBZ5] * y16) *
-                pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LKY][nd] - bt *
-                pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMUY][nd]) * inv;
-            t80d = (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_UNLOADED_RADIUS][nd] - t80 *
-                fz0_4d[nd]) * fz0_4inv;
-            dtd[nd] = (((fz2d[nd] * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ1] +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ2] * dfz) + fz2 *
-                (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ1][nd] +
-                (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ2][nd] * dfz +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ2] * dfzd[nd]))) * (1.0 +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ3] * gz +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ4] * gz * gz) + fz2 *
-                (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ1] + p[t->tyreadr[t->wheeltyre[n2]]
-                + MAGGI_TYRE_QDZ2] * dfz) * (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ3][nd]
-                * gz + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ3] * gzd[nd] +
-                ((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ4][nd] * gz +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ4] * gzd[nd]) * gz +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ4] * gz * gzd[nd]))) * t80 + fz2 *
-                (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ1] + p[t->tyreadr[t->wheeltyre[n2]]
-                + MAGGI_TYRE_QDZ2] * dfz) * (1.0 + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ3]
-                * gz + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ4] * gz * gz) * t80d) *
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LTR] + fz2 *
-                (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ1] + p[t->tyreadr[t->wheeltyre[n2]]
-                + MAGGI_TYRE_QDZ2] * dfz) * (1.0 + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ3]
-                * gz + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ4] * gz * gz) * t80 *
-                pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LTR][nd];
-            t81d = (btd[nd] * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QCZ1] + bt *
-                pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QCZ1][nd]) * at + bt *
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QCZ1] * atd[nd];
-            t82d = c47 * t81d;
-            e13d[nd] = (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QEZ1][nd] +
-                (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QEZ2][nd] * dfz +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QEZ2] * dfzd[nd]) +
-                ((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QEZ3][nd] * dfz +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QEZ3] * dfzd[nd]) * dfz +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QEZ3] * dfz * dfzd[nd])) * (1.0 +
-                (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QEZ4] + p[t->tyreadr[t->wheeltyre[n2]]
-                + MAGGI_TYRE_QEZ5] * gz) * 0.63661977236758134308 * t82) +
-                (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QEZ1] + p[t->tyreadr[t->wheeltyre[n2]]
-                + MAGGI_TYRE_QEZ2] * dfz + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QEZ3] * dfz *
-                dfz) * ((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QEZ4][nd] +
-                (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QEZ5][nd] * gz +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QEZ5] * gzd[nd])) *
-                0.63661977236758134308 * t82 + (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QEZ4] +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QEZ5] * gz) * 0.63661977236758134308 *
-                t82d);
-          }
-          /* a curvature: more than 1 would turn the curve around */
-          if (MAGGI_RE(e13) > 1.0) {
-            y17 = 1.0;
-#pragma omp simd
-            for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-              y17d[nd] = 0.0;
-            }
-          } else {
-            y17 = e13;
-#pragma omp simd
-            for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-              y17d[nd] = e13d[nd];
-            }
-          }
-          et = y17;
-          p10 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMUY];
-          t83 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QBZ9] * p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_LKY] / p10;
-          p10inv = 1.0 / p10;
-          br = t83 + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QBZ10] * bycy;
-          dr = fz2 * ((p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ6] +
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ7] * dfz) *
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LRES] + (p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_QDZ8] + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ9] * dfz) * gz) *
-              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_UNLOADED_RADIUS] * p10;
-          t84 = 1.0 + a3 * a3;
-          t85 = sqrt(t84);
-          c48 = 1.0 / (2.0 * t85);
-          ca = 1.0 / t85;
-          t85inv = 1.0 / t85;
-          y18 = bt * ateq;
-          t86 = atan(y18);
-          c49 = 1.0 / (1.0 + y18 * y18);
-          t87 = (1.0 - et) * y18 + et * t86;
-          t88 = atan(t87);
-          c50 = 1.0 / (1.0 + t87 * t87);
-          t89 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QCZ1] * t88;
-          t90 = cos(t89);
-          c51 = -sin(t89);
-          z30 = dt * t90 * ca;
-          x9 = br * areq;
-          t91 = 1.0 + x9 * x9;
-          t92 = sqrt(t91);
-          c52 = 1.0 / (2.0 * t92);
-          t93 = 1.0 / t92;
-          t92inv = 1.0 / t92;
-          t94 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_SSZ2] * fy / fz0_2;
-          s3 = (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_SSZ1] + t94 +
-              (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_SSZ3] + p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_SSZ4] * dfz) * gamma2) * r0 * p[t->tyreadr[t->wheeltyre[n2]] +
-              MAGGI_TYRE_LS];
-          t95 = one4 / p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LOW_SPEED];
-          inv2 = 1.0 / p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LOW_SPEED];
-          way = tanh(t95);
-          speed2 = one4 / p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LONGVL];
-          inv3 = 1.0 / p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LONGVL];
-          t96 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSX3] * fy / fz0_2;
-          t97 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY2] * fx / fz0_2;
-#pragma omp simd
-          for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-            double brd, cad, drd, etd, force0d, force1d, force2d, force3d, force4d, force5d, p10d,
-                s3d, speed2d, t83d, t84d, t85d, t86d, t87d, t88d, t89d, t90d, t91d, t92d, t93d,
-                t94d, t95d, t96d, t97d, wayd, x9d, y18d, z30d, z31d;
-
-            etd = y17d[nd];
-            p10d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMUY][nd];
-            t83d = (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QBZ9][nd] *
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LKY] + p[t->tyreadr[t->wheeltyre[n2]] +
-                MAGGI_TYRE_QBZ9] * pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LKY][nd] - t83 *
-                p10d) * p10inv;
-            brd = t83d + (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QBZ10][nd] * bycy +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QBZ10] * bycyd[nd]);
-            drd = ((fz2d[nd] * ((p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ6] +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ7] * dfz) *
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LRES] + (p[t->tyreadr[t->wheeltyre[n2]]
-                + MAGGI_TYRE_QDZ8] + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ9] * dfz) * gz)
-                + fz2 * ((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ6][nd] +
-                (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ7][nd] * dfz +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ7] * dfzd[nd])) *
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LRES] + (p[t->tyreadr[t->wheeltyre[n2]]
-                + MAGGI_TYRE_QDZ6] + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ7] * dfz) *
-                pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LRES][nd] +
-                ((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ8][nd] +
-                (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ9][nd] * dfz +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ9] * dfzd[nd])) * gz +
-                (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ8] + p[t->tyreadr[t->wheeltyre[n2]]
-                + MAGGI_TYRE_QDZ9] * dfz) * gzd[nd]))) * p[t->tyreadr[t->wheeltyre[n2]] +
-                MAGGI_TYRE_UNLOADED_RADIUS] + fz2 * ((p[t->tyreadr[t->wheeltyre[n2]] +
-                MAGGI_TYRE_QDZ6] + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ7] * dfz) *
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LRES] + (p[t->tyreadr[t->wheeltyre[n2]]
-                + MAGGI_TYRE_QDZ8] + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ9] * dfz) * gz)
-                * pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_UNLOADED_RADIUS][nd]) * p10 + fz2 *
-                ((p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ6] + p[t->tyreadr[t->wheeltyre[n2]]
-                + MAGGI_TYRE_QDZ7] * dfz) * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LRES] +
-                (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QDZ8] + p[t->tyreadr[t->wheeltyre[n2]]
-                + MAGGI_TYRE_QDZ9] * dfz) * gz) * p[t->tyreadr[t->wheeltyre[n2]] +
-                MAGGI_TYRE_UNLOADED_RADIUS] * p10d;
-            t84d = a3d[nd] * a3 + a3 * a3d[nd];
-            t85d = c48 * t84d;
-            cad = -(ca * t85d * t85inv);
-            /* C atan(B x - E (B x - atan(B x))), without a difference where E is 1 */
-            y18d = btd[nd] * ateq + bt * ateqd[nd];
-            t86d = c49 * y18d;
-            t87d = -(etd * y18) + (1.0 - et) * y18d + (etd * t86 + et * t86d);
-            t88d = c50 * t87d;
-            t89d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QCZ1][nd] * t88 +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QCZ1] * t88d;
-            t90d = c51 * t89d;
-            z30d = (dtd[nd] * t90 + dt * t90d) * ca + dt * t90 * cad;
-            x9d = brd * areq + br * areqd[nd];
-            t91d = x9d * x9 + x9 * x9d;
-            t92d = c52 * t91d;
-            t93d = -(t93 * t92d * t92inv);
-            z31d = (drd * t93 + dr * t93d) * ca + dr * t93 * cad;
-            t94d = (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_SSZ2][nd] * fy +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_SSZ2] * fyd[nd] - t94 * fz0_2d[nd]) *
-                fz0_2inv;
-            s3d = ((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_SSZ1][nd] + t94d +
-                ((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_SSZ3][nd] +
-                (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_SSZ4][nd] * dfz +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_SSZ4] * dfzd[nd])) * gamma2 +
-                (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_SSZ3] + p[t->tyreadr[t->wheeltyre[n2]]
-                + MAGGI_TYRE_SSZ4] * dfz) * gamma2d[nd])) * r0 + (p[t->tyreadr[t->wheeltyre[n2]] +
-                MAGGI_TYRE_SSZ1] + t94 + (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_SSZ3] +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_SSZ4] * dfz) * gamma2) * r0d[nd]) *
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LS] + (p[t->tyreadr[t->wheeltyre[n2]] +
-                MAGGI_TYRE_SSZ1] + t94 + (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_SSZ3] +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_SSZ4] * dfz) * gamma2) * r0 *
-                pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LS][nd];
-            t95d = (one4d[nd] - t95 * pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LOW_SPEED][nd]) *
-                inv2;
-            wayd = (1.0 - way * way) * t95d;
-            speed2d = (one4d[nd] - speed2 * pd[t->tyreadr[t->wheeltyre[n2]] +
-                MAGGI_TYRE_LONGVL][nd]) * inv3;
-            force0d = fxd[nd];
-            force1d = fyd[nd];
-            force2d = fz2d[nd];
-            t96d = (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSX3][nd] * fy +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSX3] * fyd[nd] - t96 * fz0_2d[nd]) *
-                fz0_2inv;
-            force3d = (r0d[nd] * fz2 + r0 * fz2d[nd]) * (p[t->tyreadr[t->wheeltyre[n2]] +
-                MAGGI_TYRE_QSX1] * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LVMX] +
-                (-p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSX2] * gamma2 + t96) *
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMX]) + r0 * fz2 *
-                (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSX1][nd] *
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LVMX] + p[t->tyreadr[t->wheeltyre[n2]] +
-                MAGGI_TYRE_QSX1] * pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LVMX][nd] +
-                ((-(pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSX2][nd] * gamma2) -
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSX2] * gamma2d[nd] + t96d) *
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMX] + (-p[t->tyreadr[t->wheeltyre[n2]]
-                + MAGGI_TYRE_QSX2] * gamma2 + t96) * pd[t->tyreadr[t->wheeltyre[n2]] +
-                MAGGI_TYRE_LMX][nd]));
-            t97d = (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY2][nd] * fx +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY2] * fxd[nd] - t97 * fz0_2d[nd]) *
-                fz0_2inv;
-            force4d = (((-(wayd * r0) - way * r0d[nd]) * fz2 + -way * r0 * fz2d[nd]) *
-                (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY1] + t97 +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * way * speed2 +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2 * speed2 * speed2 *
-                speed2) + -way * r0 * fz2 * (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY1][nd]
-                + t97d + ((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3][nd] * way +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * wayd) * speed2 +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * way * speed2d) +
-                ((((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4][nd] * speed2 +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2d) * speed2 +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2 * speed2d) * speed2 +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2 * speed2 * speed2d) *
-                speed2 + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2 * speed2 *
-                speed2 * speed2d))) * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMY] + -way * r0 *
-                fz2 * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY1] + t97 +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY3] * way * speed2 +
-                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_QSY4] * speed2 * speed2 * speed2 *
-                speed2) * pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMY][nd];
-            force5d = -(z30d * (fy - g21)) - z30 * (fyd[nd] - g21d[nd]) + z31d + (s3d * fx + s3 *
-                fxd[nd]);
-            rolling0d[nd] = force0d;
-            rolling1d[nd] = side * force1d;
-            rolling2d[nd] = force2d;
-            rolling3d[nd] = side * force3d;
-            rolling4d[nd] = force4d;
-            rolling5d[nd] = side * force5d;
+            exd[nd] = y2d[nd];
           }
         } else {
+          e5 = e3 * (1.0 + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEX4]);
 #pragma omp simd
           for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-            rolling0d[nd] = 0.0;
-            rolling1d[nd] = 0.0;
-            rolling2d[nd] = fzd[nd];
-            rolling3d[nd] = 0.0;
-            rolling4d[nd] = 0.0;
-            rolling5d[nd] = 0.0;
+            e5d[nd] = e3d[nd] * (1.0 + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEX4]) + e3 *
+                pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEX4][nd];
+          }
+          /* a curvature: more than 1 would turn the curve around */
+          if (MAGGI_RE(e5) > 1.0) {
+            y3 = 1.0;
+#pragma omp simd
+            for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+              y3d[nd] = 0.0;
+            }
+          } else {
+            y3 = e5;
+#pragma omp simd
+            for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+              y3d[nd] = e5d[nd];
+            }
+          }
+          ex = y3;
+#pragma omp simd
+          for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+            exd[nd] = y3d[nd];
           }
         }
+        x30 = mux * fz;
+        x31 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PCX1] * p[t->tyreadr[t->wheeltyre[n2]] +
+            MAGGI_TYRE_LCX];
+        x32 = ex;
+        t8 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKX3] * dfz;
+        t9 = exp(t8);
+        x33 = fz * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKX1] +
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKX2] * dfz) * t9 *
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LKX];
+        x34 = kx;
+        x35 = fz * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVX1] +
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVX2] * dfz) *
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LVX] * p[t->tyreadr[t->wheeltyre[n2]] +
+            MAGGI_TYRE_LMUX];
+        fz0_2 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LFZO] * p[t->tyreadr[t->wheeltyre[n2]]];
+        gy2 = gamma * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LGAY];
+        ay = a2 + (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PHY1] +
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PHY2] * dfz) *
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LHY] + p[t->tyreadr[t->wheeltyre[n2]] +
+            MAGGI_TYRE_PHY3] * gy2;
+        muy = (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDY1] + p[t->tyreadr[t->wheeltyre[n2]] +
+            MAGGI_TYRE_PDY2] * dfz) * (1.0 - p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDY3] * gy2
+            * gy2) * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMUY];
+        e6 = (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY1] + p[t->tyreadr[t->wheeltyre[n2]] +
+            MAGGI_TYRE_PEY2] * dfz) * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LEY];
+#pragma omp simd
+        for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+          double t8d, t9d;
+
+          x30d[nd] = muxd[nd] * fz + mux * fzd[nd];
+          x31d[nd] = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PCX1][nd] *
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LCX] + p[t->tyreadr[t->wheeltyre[n2]] +
+              MAGGI_TYRE_PCX1] * pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LCX][nd];
+          x32d[nd] = exd[nd];
+          t8d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKX3][nd] * dfz +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKX3] * dfzd[nd];
+          t9d = t9 * t8d;
+          x33d[nd] = ((fzd[nd] * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKX1] +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKX2] * dfz) + fz *
+              (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKX1][nd] +
+              (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKX2][nd] * dfz +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKX2] * dfzd[nd]))) * t9 + fz *
+              (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKX1] + p[t->tyreadr[t->wheeltyre[n2]] +
+              MAGGI_TYRE_PKX2] * dfz) * t9d) * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LKX] + fz
+              * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKX1] + p[t->tyreadr[t->wheeltyre[n2]]
+              + MAGGI_TYRE_PKX2] * dfz) * t9 * pd[t->tyreadr[t->wheeltyre[n2]] +
+              MAGGI_TYRE_LKX][nd];
+          x34d[nd] = kxd[nd];
+          x35d[nd] = ((fzd[nd] * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVX1] +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVX2] * dfz) + fz *
+              (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVX1][nd] +
+              (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVX2][nd] * dfz +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVX2] * dfzd[nd]))) *
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LVX] + fz *
+              (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVX1] + p[t->tyreadr[t->wheeltyre[n2]] +
+              MAGGI_TYRE_PVX2] * dfz) * pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LVX][nd]) *
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMUX] + fz *
+              (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVX1] + p[t->tyreadr[t->wheeltyre[n2]] +
+              MAGGI_TYRE_PVX2] * dfz) * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LVX] *
+              pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMUX][nd];
+          /* sin(2 atan(z)) = 2 z / (1 + z^2) */
+          fz0_2d[nd] = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LFZO][nd] *
+              p[t->tyreadr[t->wheeltyre[n2]]] + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LFZO] *
+              pd[t->tyreadr[t->wheeltyre[n2]]][nd];
+          gy2d[nd] = gammad[nd] * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LGAY] + gamma *
+              pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LGAY][nd];
+          ayd[nd] = a2d[nd] + ((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PHY1][nd] +
+              (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PHY2][nd] * dfz +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PHY2] * dfzd[nd])) *
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LHY] + (p[t->tyreadr[t->wheeltyre[n2]] +
+              MAGGI_TYRE_PHY1] + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PHY2] * dfz) *
+              pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LHY][nd]) +
+              (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PHY3][nd] * gy2 +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PHY3] * gy2d[nd]);
+          muyd[nd] = ((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDY1][nd] +
+              (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDY2][nd] * dfz +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDY2] * dfzd[nd])) * (1.0 -
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDY3] * gy2 * gy2) -
+              (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDY1] + p[t->tyreadr[t->wheeltyre[n2]] +
+              MAGGI_TYRE_PDY2] * dfz) * ((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDY3][nd] *
+              gy2 + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDY3] * gy2d[nd]) * gy2 +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDY3] * gy2 * gy2d[nd])) *
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMUY] + (p[t->tyreadr[t->wheeltyre[n2]] +
+              MAGGI_TYRE_PDY1] + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDY2] * dfz) * (1.0 -
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PDY3] * gy2 * gy2) *
+              pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMUY][nd];
+          e6d[nd] = (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY1][nd] +
+              (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY2][nd] * dfz +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY2] * dfzd[nd])) *
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LEY] + (p[t->tyreadr[t->wheeltyre[n2]] +
+              MAGGI_TYRE_PEY1] + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY2] * dfz) *
+              pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LEY][nd];
+        }
+        if (MAGGI_RE(ay) > 0.0) {
+          e7 = e6 * (1.0 - (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY3] +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY4] * gy2));
+#pragma omp simd
+          for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+            e7d[nd] = e6d[nd] * (1.0 - (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY3] +
+                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY4] * gy2)) - e6 *
+                (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY3][nd] +
+                (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY4][nd] * gy2 +
+                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY4] * gy2d[nd]));
+          }
+          /* a curvature: more than 1 would turn the curve around */
+          if (MAGGI_RE(e7) > 1.0) {
+            y4 = 1.0;
+#pragma omp simd
+            for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+              y4d[nd] = 0.0;
+            }
+          } else {
+            y4 = e7;
+#pragma omp simd
+            for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+              y4d[nd] = e7d[nd];
+            }
+          }
+          ey = y4;
+#pragma omp simd
+          for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+            eyd[nd] = y4d[nd];
+          }
+        } else {
+          e8 = e6 * (1.0 + (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY3] +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY4] * gy2));
+#pragma omp simd
+          for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+            e8d[nd] = e6d[nd] * (1.0 + (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY3] +
+                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY4] * gy2)) + e6 *
+                (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY3][nd] +
+                (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY4][nd] * gy2 +
+                p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PEY4] * gy2d[nd]));
+          }
+          /* a curvature: more than 1 would turn the curve around */
+          if (MAGGI_RE(e8) > 1.0) {
+            y5 = 1.0;
+#pragma omp simd
+            for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+              y5d[nd] = 0.0;
+            }
+          } else {
+            y5 = e8;
+#pragma omp simd
+            for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+              y5d[nd] = e8d[nd];
+            }
+          }
+          ey = y5;
+#pragma omp simd
+          for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+            eyd[nd] = y5d[nd];
+          }
+        }
+        t10 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKY2] * fz0_2;
+        z2 = fz / t10;
+        t10inv = 1.0 / t10;
+        y0_3 = muy * fz;
+        y1 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PCY1] * p[t->tyreadr[t->wheeltyre[n2]] +
+            MAGGI_TYRE_LCY];
+        y2_2 = ey;
+#pragma omp simd
+        for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+          double t10d;
+
+          t10d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKY2][nd] * fz0_2 +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKY2] * fz0_2d[nd];
+          z2d[nd] = (fzd[nd] - z2 * t10d) * t10inv;
+          y0_3d[nd] = muyd[nd] * fz + muy * fzd[nd];
+          y1d[nd] = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PCY1][nd] *
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LCY] + p[t->tyreadr[t->wheeltyre[n2]] +
+              MAGGI_TYRE_PCY1] * pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LCY][nd];
+          y2_2d[nd] = eyd[nd];
+        }
+        /* |x|, with two continuous derivatives:  w (15 y^2 - 10 y^4 + 3 y^6) / 8,  y = x / w,  in |x| < w;  0 at 0,
+         * where straight running is, and exact from w on */
+        if (MAGGI_RE(gy2) > MAGGI_RE(p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LOW_CAMBER])) {
+          y6 = gy2;
+#pragma omp simd
+          for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+            y6d[nd] = gy2d[nd];
+          }
+        } else if (MAGGI_RE(gy2) < -MAGGI_RE(p[t->tyreadr[t->wheeltyre[n2]] +
+            MAGGI_TYRE_LOW_CAMBER])) {
+          y6 = -gy2;
+#pragma omp simd
+          for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+            y6d[nd] = -gy2d[nd];
+          }
+        } else {
+          p2 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LOW_CAMBER];
+          t11 = p2 * p2;
+          z3 = gy2 * gy2 / t11;
+          t11inv = 1.0 / t11;
+          y6 = 0.125 * p2 * z3 * (15.0 + z3 * (-10.0 + 3.0 * z3));
+#pragma omp simd
+          for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+            double p2d, t11d, z3d;
+
+            p2d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LOW_CAMBER][nd];
+            t11d = p2d * p2 + p2 * p2d;
+            z3d = (gy2d[nd] * gy2 + gy2 * gy2d[nd] - z3 * t11d) * t11inv;
+            y6d[nd] = (0.125 * p2d * z3 + 0.125 * p2 * z3d) * (15.0 + z3 * (-10.0 + 3.0 * z3)) +
+                0.125 * p2 * z3 * (z3d * (-10.0 + 3.0 * z3) + z3 * (3.0 * z3d));
+          }
+        }
+        t12 = 1.0 + z2 * z2;
+        t13 = 2.0 * z2 / t12;
+        t12inv = 1.0 / t12;
+        y3_2 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKY1] * fz0_2 * t13 * (1.0 -
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKY3] * y6) * p[t->tyreadr[t->wheeltyre[n2]]
+            + MAGGI_TYRE_LKY];
+        y4_2 = ay;
+        y5_2 = fz * ((p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVY1] +
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVY2] * dfz) *
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LVY] + (p[t->tyreadr[t->wheeltyre[n2]] +
+            MAGGI_TYRE_PVY3] + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVY4] * dfz) * gy2) *
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMUY];
+        peak = y0_3;
+        x4 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RBX2] * kappa;
+        t14 = 1.0 + x4 * x4;
+        t15 = sqrt(t14);
+        c15 = 1.0 / (2.0 * t15);
+        t16 = 1.0 / t15;
+        t15inv = 1.0 / t15;
+        g0 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RBX1] * t16 *
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LXAL];
+        g1 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RCX1];
+        e9 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_REX1] + p[t->tyreadr[t->wheeltyre[n2]] +
+            MAGGI_TYRE_REX2] * dfz;
+#pragma omp simd
+        for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+          double t12d, t13d, t14d, t15d, t16d, x4d;
+
+          t12d = z2d[nd] * z2 + z2 * z2d[nd];
+          t13d = (2.0 * z2d[nd] - t13 * t12d) * t12inv;
+          y3_2d[nd] = (((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKY1][nd] * fz0_2 +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKY1] * fz0_2d[nd]) * t13 +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKY1] * fz0_2 * t13d) * (1.0 -
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKY3] * y6) -
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKY1] * fz0_2 * t13 *
+              (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKY3][nd] * y6 +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PKY3] * y6d[nd])) *
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LKY] + p[t->tyreadr[t->wheeltyre[n2]] +
+              MAGGI_TYRE_PKY1] * fz0_2 * t13 * (1.0 - p[t->tyreadr[t->wheeltyre[n2]] +
+              MAGGI_TYRE_PKY3] * y6) * pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LKY][nd];
+          y4_2d[nd] = ayd[nd];
+          y5_2d[nd] = (fzd[nd] * ((p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVY1] +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVY2] * dfz) *
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LVY] + (p[t->tyreadr[t->wheeltyre[n2]] +
+              MAGGI_TYRE_PVY3] + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVY4] * dfz) * gy2) +
+              fz * ((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVY1][nd] +
+              (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVY2][nd] * dfz +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVY2] * dfzd[nd])) *
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LVY] + (p[t->tyreadr[t->wheeltyre[n2]] +
+              MAGGI_TYRE_PVY1] + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVY2] * dfz) *
+              pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LVY][nd] +
+              ((pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVY3][nd] +
+              (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVY4][nd] * dfz +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVY4] * dfzd[nd])) * gy2 +
+              (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVY3] + p[t->tyreadr[t->wheeltyre[n2]] +
+              MAGGI_TYRE_PVY4] * dfz) * gy2d[nd]))) * p[t->tyreadr[t->wheeltyre[n2]] +
+              MAGGI_TYRE_LMUY] + fz * ((p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVY1] +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVY2] * dfz) *
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LVY] + (p[t->tyreadr[t->wheeltyre[n2]] +
+              MAGGI_TYRE_PVY3] + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_PVY4] * dfz) * gy2) *
+              pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LMUY][nd];
+          peakd[nd] = y0_3d[nd];
+          /* what combined slip makes of the forces:  Fx = Gxa Fx0, Fy = Gyk Fy0 + SVyk.  g: b, c, e, shift of Gxa,
+           * then of Gyk, SVyk */
+          x4d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RBX2][nd] * kappa +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RBX2] * kappad[nd];
+          t14d = x4d * x4 + x4 * x4d;
+          t15d = c15 * t14d;
+          t16d = -(t16 * t15d * t15inv);
+          g0d[nd] = (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RBX1][nd] * t16 +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RBX1] * t16d) *
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LXAL] + p[t->tyreadr[t->wheeltyre[n2]] +
+              MAGGI_TYRE_RBX1] * t16 * pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LXAL][nd];
+          g1d[nd] = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RCX1][nd];
+          e9d[nd] = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_REX1][nd] +
+              (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_REX2][nd] * dfz +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_REX2] * dfzd[nd]);
+        }
+        /* a curvature: more than 1 would turn the curve around */
+        if (MAGGI_RE(e9) > 1.0) {
+          y7 = 1.0;
+#pragma omp simd
+          for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+            y7d[nd] = 0.0;
+          }
+        } else {
+          y7 = e9;
+#pragma omp simd
+          for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+            y7d[nd] = e9d[nd];
+          }
+        }
+        g2 = y7;
+        g3 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RHX1];
+        x5 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RBY2] * (a2 -
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RBY3]);
+        t17 = 1.0 + x5 * x5;
+        t18 = sqrt(t17);
+        c16 = 1.0 / (2.0 * t18);
+        t19 = 1.0 / t18;
+        t18inv = 1.0 / t18;
+        g4 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RBY1] * t19 *
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LYKA];
+        g5 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RCY1];
+        e10 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_REY1] + p[t->tyreadr[t->wheeltyre[n2]] +
+            MAGGI_TYRE_REY2] * dfz;
+#pragma omp simd
+        for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+          double t17d, t18d, t19d, x5d;
+
+          g2d[nd] = y7d[nd];
+          g3d[nd] = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RHX1][nd];
+          x5d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RBY2][nd] * (a2 -
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RBY3]) + p[t->tyreadr[t->wheeltyre[n2]] +
+              MAGGI_TYRE_RBY2] * (a2d[nd] - pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RBY3][nd]);
+          t17d = x5d * x5 + x5 * x5d;
+          t18d = c16 * t17d;
+          t19d = -(t19 * t18d * t18inv);
+          g4d[nd] = (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RBY1][nd] * t19 +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RBY1] * t19d) *
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LYKA] + p[t->tyreadr[t->wheeltyre[n2]] +
+              MAGGI_TYRE_RBY1] * t19 * pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LYKA][nd];
+          g5d[nd] = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RCY1][nd];
+          e10d[nd] = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_REY1][nd] +
+              (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_REY2][nd] * dfz +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_REY2] * dfzd[nd]);
+        }
+        /* a curvature: more than 1 would turn the curve around */
+        if (MAGGI_RE(e10) > 1.0) {
+          y8 = 1.0;
+#pragma omp simd
+          for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+            y8d[nd] = 0.0;
+          }
+        } else {
+          y8 = e10;
+#pragma omp simd
+          for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+            y8d[nd] = e10d[nd];
+          }
+        }
+        g6 = y8;
+        g7 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RHY1] + p[t->tyreadr[t->wheeltyre[n2]] +
+            MAGGI_TYRE_RHY2] * dfz;
+        p3 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY4];
+        x6 = p3 * a2;
+        t20 = 1.0 + x6 * x6;
+        t21 = sqrt(t20);
+        c17 = 1.0 / (2.0 * t21);
+        t22 = 1.0 / t21;
+        t21inv = 1.0 / t21;
+        dv = peak * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY1] +
+            p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY2] * dfz + p[t->tyreadr[t->wheeltyre[n2]]
+            + MAGGI_TYRE_RVY3] * gamma) * t22;
+        t23 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY6] * kappa;
+        t24 = atan(t23);
+        c18 = 1.0 / (1.0 + t23 * t23);
+        t25 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY5] * t24;
+        t26 = sin(t25);
+        c19 = cos(t25);
+        g8 = dv * t26 * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LVYKA];
+        y9 = g0 * (a2 + g3);
+        y10 = g0 * g3;
+        t27 = atan(y9);
+        c20 = 1.0 / (1.0 + y9 * y9);
+        t28 = (1.0 - g2) * y9 + g2 * t27;
+        t29 = atan(t28);
+        c21 = 1.0 / (1.0 + t28 * t28);
+        t30 = g1 * t29;
+        t31 = cos(t30);
+        c22 = -sin(t30);
+        t32 = atan(y10);
+        c23 = 1.0 / (1.0 + y10 * y10);
+        t33 = (1.0 - g2) * y10 + g2 * t32;
+        t34 = atan(t33);
+        c24 = 1.0 / (1.0 + t33 * t33);
+        t35 = g1 * t34;
+        t36 = cos(t35);
+        c25 = -sin(t35);
+        gx = t31 / t36;
+        t36inv = 1.0 / t36;
+        y11 = g4 * (kappa + g7);
+        y12 = g4 * g7;
+        t37 = atan(y11);
+        c26 = 1.0 / (1.0 + y11 * y11);
+        t38 = (1.0 - g6) * y11 + g6 * t37;
+        t39 = atan(t38);
+        c27 = 1.0 / (1.0 + t38 * t38);
+        t40 = g5 * t39;
+        t41 = cos(t40);
+        c28 = -sin(t40);
+        t42 = atan(y12);
+        c29 = 1.0 / (1.0 + y12 * y12);
+        t43 = (1.0 - g6) * y12 + g6 * t42;
+        t44 = atan(t43);
+        c30 = 1.0 / (1.0 + t43 * t43);
+        t45 = g5 * t44;
+        t46 = cos(t45);
+        c31 = -sin(t45);
+        gy = t41 / t46;
+        t46inv = 1.0 / t46;
+        b3 = g0;
+        c = g1;
+        e11 = g2;
+        shift = g3;
+        y13 = b3 * (a2 + shift);
+        y0 = b3 * shift;
+        t47 = atan(y13);
+        c32 = 1.0 / (1.0 + y13 * y13);
+        t48 = (1.0 - e11) * y13 + e11 * t47;
+        t49 = atan(t48);
+        c33 = 1.0 / (1.0 + t48 * t48);
+        z4 = c * t49;
+        t50 = atan(y0);
+        c34 = 1.0 / (1.0 + y0 * y0);
+        t51 = (1.0 - e11) * y0 + e11 * t50;
+        t52 = atan(t51);
+        c35 = 1.0 / (1.0 + t51 * t51);
+        z0 = c * t52;
+        n4 = cos(z0);
+        c36 = -sin(z0);
+        t53 = atan(y13);
+        c37 = 1.0 / (1.0 + y13 * y13);
+        z5 = (1.0 - e11) * y13 + e11 * t53;
+        t54 = sin(z4);
+        c38 = cos(z4);
+        t55 = 1.0 + y13 * y13;
+        t56 = e11 / t55;
+        t55inv = 1.0 / t55;
+        t57 = 1.0 + z5 * z5;
+        t58 = c * (1.0 - e11 + t56) / t57;
+        t57inv = 1.0 / t57;
+        s2 = -t54 * t58 / n4;
+        n4inv = 1.0 / n4;
+        t59 = atan(y0);
+        c39 = 1.0 / (1.0 + y0 * y0);
+        z6 = (1.0 - e11) * y0 + e11 * t59;
+        t60 = cos(z4);
+        c40 = -sin(z4);
+        t61 = sin(z0);
+        c41 = cos(z0);
+        t62 = n4 * n4;
+        t63 = t60 * t61 / t62;
+        t62inv = 1.0 / t62;
+        t64 = 1.0 + y0 * y0;
+        t65 = e11 / t64;
+        t64inv = 1.0 / t64;
+        t66 = 1.0 + z6 * z6;
+        t67 = c * (1.0 - e11 + t65) / t66;
+        t66inv = 1.0 / t66;
+        wx1 = s2 * (a2 + shift) + t63 * t67 * shift;
+        b4 = g4;
+        c3 = g5;
+        e12 = g6;
+        shift2 = g7;
+        y14 = b4 * (kappa + shift2);
+        y0_2 = b4 * shift2;
+        t68 = atan(y14);
+        c42 = 1.0 / (1.0 + y14 * y14);
+        t69 = (1.0 - e12) * y14 + e12 * t68;
+        t70 = atan(t69);
+        c43 = 1.0 / (1.0 + t69 * t69);
+        z7 = c3 * t70;
+        t71 = atan(y0_2);
+        c44 = 1.0 / (1.0 + y0_2 * y0_2);
+        t72 = (1.0 - e12) * y0_2 + e12 * t71;
+        t73 = atan(t72);
+        c45 = 1.0 / (1.0 + t72 * t72);
+        z0_2 = c3 * t73;
+        n5 = cos(z0_2);
+        c46 = -sin(z0_2);
+        t74 = atan(y14);
+        c47 = 1.0 / (1.0 + y14 * y14);
+        z8 = (1.0 - e12) * y14 + e12 * t74;
+        t75 = sin(z7);
+        c48 = cos(z7);
+        t76 = 1.0 + y14 * y14;
+        t77 = e12 / t76;
+        t76inv = 1.0 / t76;
+        t78 = 1.0 + z8 * z8;
+        t79 = c3 * (1.0 - e12 + t77) / t78;
+        t78inv = 1.0 / t78;
+        s3 = -t75 * t79 / n5;
+        n5inv = 1.0 / n5;
+        t80 = atan(y0_2);
+        c49 = 1.0 / (1.0 + y0_2 * y0_2);
+        z9 = (1.0 - e12) * y0_2 + e12 * t80;
+        t81 = cos(z7);
+        c50 = -sin(z7);
+        t82 = sin(z0_2);
+        c51 = cos(z0_2);
+        t83 = n5 * n5;
+        t84 = t81 * t82 / t83;
+        t83inv = 1.0 / t83;
+        t85 = 1.0 + y0_2 * y0_2;
+        t86 = e12 / t85;
+        t85inv = 1.0 / t85;
+        t87 = 1.0 + z9 * z9;
+        t88 = c3 * (1.0 - e12 + t86) / t87;
+        t87inv = 1.0 / t87;
+        wy1 = s3 * (kappa + shift2) + t84 * t88 * shift2;
+        t89 = x31 * x30;
+        t90 = x33 / t89;
+        t89inv = 1.0 / t89;
+        y15 = t90 * x34;
+        t91 = atan(y15);
+        c52 = 1.0 / (1.0 + y15 * y15);
+        t92 = (1.0 - x32) * y15 + x32 * t91;
+        t93 = atan(t92);
+        c53 = 1.0 / (1.0 + t92 * t92);
+        t94 = x31 * t93;
+        t95 = sin(t94);
+        c54 = cos(t94);
+        fx = x30 * t95 + x35;
+        t96 = y1 * y0_3;
+        t97 = y3_2 / t96;
+        t96inv = 1.0 / t96;
+        y16 = t97 * y4_2;
+        t98 = atan(y16);
+        c55 = 1.0 / (1.0 + y16 * y16);
+        t99 = (1.0 - y2_2) * y16 + y2_2 * t98;
+        t100 = atan(t99);
+        c56 = 1.0 / (1.0 + t99 * t99);
+        t101 = y1 * t100;
+        t102 = sin(t101);
+        c57 = cos(t101);
+        fy = y0_3 * t102 + y5_2;
+        p4 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RBY2];
+        p5 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RBY3];
+        x7 = p4 * (a2 - p5);
+        t103 = 1.0 + x7 * x7;
+        t104 = sqrt(t103);
+        c58 = 1.0 / (2.0 * t104);
+        t105 = 1.0 / t104;
+        t104inv = 1.0 / t104;
+        l3 = p4 * t105;
+        x8 = p3 * a2;
+        t106 = 1.0 + x8 * x8;
+        t107 = sqrt(t106);
+        c59 = 1.0 / (2.0 * t107);
+        t108 = 1.0 / t107;
+        t107inv = 1.0 / t107;
+        v2 = p3 * t108;
+        b2 = -g4 * l3 * l3 * (a2 - p5);
+        t109 = y1 * y0_3;
+        b5 = y3_2 / t109;
+        t109inv = 1.0 / t109;
+        y17 = b5 * y4_2;
+        t110 = atan(y17);
+        c60 = 1.0 / (1.0 + y17 * y17);
+        z10 = (1.0 - y2_2) * y17 + y2_2 * t110;
+        t111 = atan(y17);
+        c61 = 1.0 / (1.0 + y17 * y17);
+        t112 = (1.0 - y2_2) * y17 + y2_2 * t111;
+        t113 = atan(t112);
+        c62 = 1.0 / (1.0 + t112 * t112);
+        t114 = y1 * t113;
+        t115 = cos(t114);
+        c63 = -sin(t114);
+        t116 = 1.0 + y17 * y17;
+        t117 = y2_2 / t116;
+        t116inv = 1.0 / t116;
+        t118 = 1.0 + z10 * z10;
+        t119 = y1 * (1.0 - y2_2 + t117) / t118;
+        t118inv = 1.0 / t118;
+        p6 = p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RBX2];
+        x9 = p6 * kappa;
+        t120 = 1.0 + x9 * x9;
+        t121 = sqrt(t120);
+        c64 = 1.0 / (2.0 * t121);
+        t122 = 1.0 / t121;
+        t121inv = 1.0 / t121;
+        m = p6 * t122;
+        ka = -g0 * m * m * kappa;
+        t123 = x31 * x30;
+        b6 = x33 / t123;
+        t123inv = 1.0 / t123;
+        y18 = b6 * x34;
+        t124 = atan(y18);
+        c65 = 1.0 / (1.0 + y18 * y18);
+        z11 = (1.0 - x32) * y18 + x32 * t124;
+        t125 = atan(y18);
+        c66 = 1.0 / (1.0 + y18 * y18);
+        t126 = (1.0 - x32) * y18 + x32 * t125;
+        t127 = atan(t126);
+        c67 = 1.0 / (1.0 + t126 * t126);
+        t128 = x31 * t127;
+        t129 = cos(t128);
+        c68 = -sin(t128);
+        t130 = 1.0 + y18 * y18;
+        t131 = x32 / t130;
+        t130inv = 1.0 / t130;
+        t132 = 1.0 + z11 * z11;
+        t133 = x31 * (1.0 - x32 + t131) / t132;
+        t132inv = 1.0 / t132;
+        ux = fx * gx / x30;
+        x30inv = 1.0 / x30;
+        uy = (fy * gy + g8) / y0_3;
+        y0_3inv = 1.0 / y0_3;
+        c69 = 1.0 / (2.0 * s[i][2]);
+#pragma omp simd
+        for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+          double b2d, b3d, b4d, b5d, b6d, c3d, cd, dvd, e11d, e12d, fxd, fyd, g6d, g7d, g8d, gxd,
+              gyd, kad, l3d, md, n4d, n5d, p3d, p4d, p5d, p6d, s2d, s3d, shift2d, shiftd, t100d,
+              t101d, t102d, t103d, t104d, t105d, t106d, t107d, t108d, t109d, t110d, t111d, t112d,
+              t113d, t114d, t115d, t116d, t117d, t118d, t119d, t120d, t121d, t122d, t123d, t124d,
+              t125d, t126d, t127d, t128d, t129d, t130d, t131d, t132d, t133d, t134d, t20d, t21d,
+              t22d, t23d, t24d, t25d, t26d, t27d, t28d, t29d, t30d, t31d, t32d, t33d, t34d, t35d,
+              t36d, t37d, t38d, t39d, t40d, t41d, t42d, t43d, t44d, t45d, t46d, t47d, t48d, t49d,
+              t50d, t51d, t52d, t53d, t54d, t55d, t56d, t57d, t58d, t59d, t60d, t61d, t62d, t63d,
+              t64d, t65d, t66d, t67d, t68d, t69d, t70d, t71d, t72d, t73d, t74d, t75d, t76d, t77d,
+              t78d, t79d, t80d, t81d, t82d, t83d, t84d, t85d, t86d, t87d, t88d, t89d, t90d, t91d,
+              t92d, t93d, t94d, t95d, t96d, t97d, t98d, t99d, uxd, uyd, v2d, wx1d, wy1d, x6d, x7d,
+              x8d, x9d, y0_2d, y0d, y10d, y11d, y12d, y13d, y14d, y15d, y16d, y17d, y18d, y9d,
+              z0_2d, z0d, z10d, z11d, z4d, z5d, z6d, z7d, z8d, z9d;
+
+          g6d = y8d[nd];
+          g7d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RHY1][nd] +
+              (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RHY2][nd] * dfz +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RHY2] * dfzd[nd]);
+          p3d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY4][nd];
+          x6d = p3d * a2 + p3 * a2d[nd];
+          t20d = x6d * x6 + x6 * x6d;
+          t21d = c17 * t20d;
+          t22d = -(t22 * t21d * t21inv);
+          dvd = (peakd[nd] * (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY1] +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY2] * dfz +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY3] * gamma) + peak *
+              (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY1][nd] +
+              (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY2][nd] * dfz +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY2] * dfzd[nd]) +
+              (pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY3][nd] * gamma +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY3] * gammad[nd]))) * t22 + peak *
+              (p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY1] + p[t->tyreadr[t->wheeltyre[n2]] +
+              MAGGI_TYRE_RVY2] * dfz + p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY3] * gamma) *
+              t22d;
+          t23d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY6][nd] * kappa +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY6] * kappad[nd];
+          t24d = c18 * t23d;
+          t25d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY5][nd] * t24 +
+              p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RVY5] * t24d;
+          t26d = c19 * t25d;
+          g8d = (dvd * t26 + dv * t26d) * p[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LVYKA] + dv *
+              t26 * pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_LVYKA][nd];
+          y9d = g0d[nd] * (a2 + g3) + g0 * (a2d[nd] + g3d[nd]);
+          y10d = g0d[nd] * g3 + g0 * g3d[nd];
+          t27d = c20 * y9d;
+          t28d = -(g2d[nd] * y9) + (1.0 - g2) * y9d + (g2d[nd] * t27 + g2 * t27d);
+          t29d = c21 * t28d;
+          t30d = g1d[nd] * t29 + g1 * t29d;
+          t31d = c22 * t30d;
+          t32d = c23 * y10d;
+          t33d = -(g2d[nd] * y10) + (1.0 - g2) * y10d + (g2d[nd] * t32 + g2 * t32d);
+          t34d = c24 * t33d;
+          t35d = g1d[nd] * t34 + g1 * t34d;
+          t36d = c25 * t35d;
+          gxd = (t31d - gx * t36d) * t36inv;
+          y11d = g4d[nd] * (kappa + g7) + g4 * (kappad[nd] + g7d);
+          y12d = g4d[nd] * g7 + g4 * g7d;
+          t37d = c26 * y11d;
+          t38d = -(g6d * y11) + (1.0 - g6) * y11d + (g6d * t37 + g6 * t37d);
+          t39d = c27 * t38d;
+          t40d = g5d[nd] * t39 + g5 * t39d;
+          t41d = c28 * t40d;
+          t42d = c29 * y12d;
+          t43d = -(g6d * y12) + (1.0 - g6) * y12d + (g6d * t42 + g6 * t42d);
+          t44d = c30 * t43d;
+          t45d = g5d[nd] * t44 + g5 * t44d;
+          t46d = c31 * t45d;
+          gyd = (t41d - gy * t46d) * t46inv;
+          b3d = g0d[nd];
+          cd = g1d[nd];
+          e11d = g2d[nd];
+          shiftd = g3d[nd];
+          /* its derivatives by x and by b */
+          y13d = b3d * (a2 + shift) + b3 * (a2d[nd] + shiftd);
+          y0d = b3d * shift + b3 * shiftd;
+          t47d = c32 * y13d;
+          t48d = -(e11d * y13) + (1.0 - e11) * y13d + (e11d * t47 + e11 * t47d);
+          t49d = c33 * t48d;
+          z4d = cd * t49 + c * t49d;
+          t50d = c34 * y0d;
+          t51d = -(e11d * y0) + (1.0 - e11) * y0d + (e11d * t50 + e11 * t50d);
+          t52d = c35 * t51d;
+          z0d = cd * t52 + c * t52d;
+          n4d = c36 * z0d;
+          /* its derivative by y */
+          t53d = c37 * y13d;
+          z5d = -(e11d * y13) + (1.0 - e11) * y13d + (e11d * t53 + e11 * t53d);
+          t54d = c38 * z4d;
+          t55d = y13d * y13 + y13 * y13d;
+          t56d = (e11d - t56 * t55d) * t55inv;
+          t57d = z5d * z5 + z5 * z5d;
+          t58d = (cd * (1.0 - e11 + t56) + c * (-e11d + t56d) - t58 * t57d) * t57inv;
+          s2d = (-(t54d * t58) - t54 * t58d - s2 * n4d) * n4inv;
+          /* its derivative by y */
+          t59d = c39 * y0d;
+          z6d = -(e11d * y0) + (1.0 - e11) * y0d + (e11d * t59 + e11 * t59d);
+          t60d = c40 * z4d;
+          t61d = c41 * z0d;
+          t62d = n4d * n4 + n4 * n4d;
+          t63d = (t60d * t61 + t60 * t61d - t63 * t62d) * t62inv;
+          t64d = y0d * y0 + y0 * y0d;
+          t65d = (e11d - t65 * t64d) * t64inv;
+          t66d = z6d * z6 + z6 * z6d;
+          t67d = (cd * (1.0 - e11 + t65) + c * (-e11d + t65d) - t67 * t66d) * t66inv;
+          wx1d = s2d * (a2 + shift) + s2 * (a2d[nd] + shiftd) + ((t63d * t67 + t63 * t67d) * shift +
+              t63 * t67 * shiftd);
+          b4d = g4d[nd];
+          c3d = g5d[nd];
+          e12d = g6d;
+          shift2d = g7d;
+          /* its derivatives by x and by b */
+          y14d = b4d * (kappa + shift2) + b4 * (kappad[nd] + shift2d);
+          y0_2d = b4d * shift2 + b4 * shift2d;
+          t68d = c42 * y14d;
+          t69d = -(e12d * y14) + (1.0 - e12) * y14d + (e12d * t68 + e12 * t68d);
+          t70d = c43 * t69d;
+          z7d = c3d * t70 + c3 * t70d;
+          t71d = c44 * y0_2d;
+          t72d = -(e12d * y0_2) + (1.0 - e12) * y0_2d + (e12d * t71 + e12 * t71d);
+          t73d = c45 * t72d;
+          z0_2d = c3d * t73 + c3 * t73d;
+          n5d = c46 * z0_2d;
+          /* its derivative by y */
+          t74d = c47 * y14d;
+          z8d = -(e12d * y14) + (1.0 - e12) * y14d + (e12d * t74 + e12 * t74d);
+          t75d = c48 * z7d;
+          t76d = y14d * y14 + y14 * y14d;
+          t77d = (e12d - t77 * t76d) * t76inv;
+          t78d = z8d * z8 + z8 * z8d;
+          t79d = (c3d * (1.0 - e12 + t77) + c3 * (-e12d + t77d) - t79 * t78d) * t78inv;
+          s3d = (-(t75d * t79) - t75 * t79d - s3 * n5d) * n5inv;
+          /* its derivative by y */
+          t80d = c49 * y0_2d;
+          z9d = -(e12d * y0_2) + (1.0 - e12) * y0_2d + (e12d * t80 + e12 * t80d);
+          t81d = c50 * z7d;
+          t82d = c51 * z0_2d;
+          t83d = n5d * n5 + n5 * n5d;
+          t84d = (t81d * t82 + t81 * t82d - t84 * t83d) * t83inv;
+          t85d = y0_2d * y0_2 + y0_2 * y0_2d;
+          t86d = (e12d - t86 * t85d) * t85inv;
+          t87d = z9d * z9 + z9 * z9d;
+          t88d = (c3d * (1.0 - e12 + t86) + c3 * (-e12d + t86d) - t88 * t87d) * t87inv;
+          wy1d = s3d * (kappa + shift2) + s3 * (kappad[nd] + shift2d) + ((t84d * t88 + t84 * t88d) *
+              shift2 + t84 * t88 * shift2d);
+          t89d = x31d[nd] * x30 + x31 * x30d[nd];
+          t90d = (x33d[nd] - t90 * t89d) * t89inv;
+          y15d = t90d * x34 + t90 * x34d[nd];
+          t91d = c52 * y15d;
+          t92d = -(x32d[nd] * y15) + (1.0 - x32) * y15d + (x32d[nd] * t91 + x32 * t91d);
+          t93d = c53 * t92d;
+          t94d = x31d[nd] * t93 + x31 * t93d;
+          t95d = c54 * t94d;
+          fxd = x30d[nd] * t95 + x30 * t95d + x35d[nd];
+          t96d = y1d[nd] * y0_3 + y1 * y0_3d[nd];
+          t97d = (y3_2d[nd] - t97 * t96d) * t96inv;
+          y16d = t97d * y4_2 + t97 * y4_2d[nd];
+          t98d = c55 * y16d;
+          t99d = -(y2_2d[nd] * y16) + (1.0 - y2_2) * y16d + (y2_2d[nd] * t98 + y2_2 * t98d);
+          t100d = c56 * t99d;
+          t101d = y1d[nd] * t100 + y1 * t100d;
+          t102d = c57 * t101d;
+          fyd = y0_3d[nd] * t102 + y0_3 * t102d + y5_2d[nd];
+          p4d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RBY2][nd];
+          p5d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RBY3][nd];
+          /* b and the shift of Fy change with a by their cos(atan()) */
+          x7d = p4d * (a2 - p5) + p4 * (a2d[nd] - p5d);
+          t103d = x7d * x7 + x7 * x7d;
+          t104d = c58 * t103d;
+          t105d = -(t105 * t104d * t104inv);
+          l3d = p4d * t105 + p4 * t105d;
+          x8d = p3d * a2 + p3 * a2d[nd];
+          t106d = x8d * x8 + x8 * x8d;
+          t107d = c59 * t106d;
+          t108d = -(t108 * t107d * t107inv);
+          v2d = p3d * t108 + p3 * t108d;
+          b2d = ((-(g4d[nd] * l3) - g4 * l3d) * l3 + -g4 * l3 * l3d) * (a2 - p5) + -g4 * l3 * l3 *
+              (a2d[nd] - p5d);
+          /* its derivative by the slip */
+          t109d = y1d[nd] * y0_3 + y1 * y0_3d[nd];
+          b5d = (y3_2d[nd] - b5 * t109d) * t109inv;
+          y17d = b5d * y4_2 + b5 * y4_2d[nd];
+          /* its derivative by y */
+          t110d = c60 * y17d;
+          z10d = -(y2_2d[nd] * y17) + (1.0 - y2_2) * y17d + (y2_2d[nd] * t110 + y2_2 * t110d);
+          t111d = c61 * y17d;
+          t112d = -(y2_2d[nd] * y17) + (1.0 - y2_2) * y17d + (y2_2d[nd] * t111 + y2_2 * t111d);
+          t113d = c62 * t112d;
+          t114d = y1d[nd] * t113 + y1 * t113d;
+          t115d = c63 * t114d;
+          t116d = y17d * y17 + y17 * y17d;
+          t117d = (y2_2d[nd] - t117 * t116d) * t116inv;
+          t118d = z10d * z10 + z10 * z10d;
+          t119d = (y1d[nd] * (1.0 - y2_2 + t117) + y1 * (-y2_2d[nd] + t117d) - t119 * t118d) *
+              t118inv;
+          sd[i][0][nd] = (a2d[nd] * a2 + a2 * a2d[nd]) * (gy * (y0_3 * t115 * t119 * b5) + fy * wy1
+              * b2 - g8 * v2 * v2 * a2) + (1.0 + a2 * a2) * (gyd * (y0_3 * t115 * t119 * b5) + gy *
+              (((y0_3d[nd] * t115 + y0_3 * t115d) * t119 + y0_3 * t115 * t119d) * b5 + y0_3 * t115 *
+              t119 * b5d) + ((fyd * wy1 + fy * wy1d) * b2 + fy * wy1 * b2d) - (((g8d * v2 + g8 *
+              v2d) * v2 + g8 * v2 * v2d) * a2 + g8 * v2 * v2 * a2d[nd]));
+          p6d = pd[t->tyreadr[t->wheeltyre[n2]] + MAGGI_TYRE_RBX2][nd];
+          x9d = p6d * kappa + p6 * kappad[nd];
+          t120d = x9d * x9 + x9 * x9d;
+          t121d = c64 * t120d;
+          t122d = -(t122 * t121d * t121inv);
+          md = p6d * t122 + p6 * t122d;
+          kad = ((-(g0d[nd] * m) - g0 * md) * m + -g0 * m * md) * kappa + -g0 * m * m * kappad[nd];
+          /* its derivative by the slip */
+          t123d = x31d[nd] * x30 + x31 * x30d[nd];
+          b6d = (x33d[nd] - b6 * t123d) * t123inv;
+          y18d = b6d * x34 + b6 * x34d[nd];
+          /* its derivative by y */
+          t124d = c65 * y18d;
+          z11d = -(x32d[nd] * y18) + (1.0 - x32) * y18d + (x32d[nd] * t124 + x32 * t124d);
+          t125d = c66 * y18d;
+          t126d = -(x32d[nd] * y18) + (1.0 - x32) * y18d + (x32d[nd] * t125 + x32 * t125d);
+          t127d = c67 * t126d;
+          t128d = x31d[nd] * t127 + x31 * t127d;
+          t129d = c68 * t128d;
+          t130d = y18d * y18 + y18 * y18d;
+          t131d = (x32d[nd] - t131 * t130d) * t130inv;
+          t132d = z11d * z11 + z11 * z11d;
+          t133d = (x31d[nd] * (1.0 - x32 + t131) + x31 * (-x32d[nd] + t131d) - t133 * t132d) *
+              t132inv;
+          sd[i][1][nd] = gxd * (x30 * t129 * t133 * b6) + gx * (((x30d[nd] * t129 + x30 * t129d) *
+              t133 + x30 * t129 * t133d) * b6 + x30 * t129 * t133 * b6d) + ((fxd * wx1 + fx * wx1d)
+              * ka + fx * wx1 * kad);
+          uxd = (fxd * gx + fx * gxd - ux * x30d[nd]) * x30inv;
+          uyd = (fyd * gy + fy * gyd + g8d - uy * y0_3d[nd]) * y0_3inv;
+          t134d = uxd * ux + ux * uxd + (uyd * uy + uy * uyd);
+          sd[i][2][nd] = c69 * t134d;
+        }
       } else {
 #pragma omp simd
         for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-          rolling0d[nd] = 0.0;
-          rolling1d[nd] = 0.0;
-          rolling2d[nd] = 0.0;
-          rolling3d[nd] = 0.0;
-          rolling4d[nd] = 0.0;
-          rolling5d[nd] = 0.0;
-        }
-      }
-      slip1 = a2;
-#pragma omp simd
-      for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-        slip0d[nd] = kappad[nd];
-        slip1d[nd] = a2d[nd];
-        slip2d[nd] = gammad[nd];
-      }
-      if (t->sensorkind[i] == MAGGI_SENSOR_TYRE_SLIP) {
-        c53 = 1.0 / (1.0 + slip1 * slip1);
-#pragma omp simd
-        for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-          sd[i][0][nd] = slip0d[nd];
-          sd[i][1][nd] = c53 * slip1d[nd];
-          sd[i][2][nd] = slip2d[nd];
-        }
-      } else if (t->sensorkind[i] == MAGGI_SENSOR_TYRE_FORCE) {
-#pragma omp simd
-        for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-          sd[i][0][nd] = rolling0d[nd];
-          sd[i][1][nd] = rolling1d[nd];
-          sd[i][2][nd] = rolling2d[nd];
-        }
-      } else {
-#pragma omp simd
-        for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-          sd[i][0][nd] = rolling3d[nd];
-          sd[i][1][nd] = rolling4d[nd];
-          sd[i][2][nd] = rolling5d[nd];
+          sd[i][0][nd] = 0.0;
+          sd[i][1][nd] = 0.0;
+          sd[i][2][nd] = 0.0;
         }
       }
     }

@@ -25,6 +25,7 @@ void maggi_adjoint_forces(maggi_derivative *D)
   }
   body_inertias(D, s);
   element_forces(D, s);
+  if (D->d->t.nwheel > 0) wheel_forces(D, s);
   point_velocities(D, s);
   velocities(D, s);
   points(D, s);
@@ -68,6 +69,7 @@ void maggi_adjoint_balance(maggi_derivative *D, double alpha)
   if (t->nrod > 0) point_accelerations(D, s);
   accelerations(D, s);
   element_forces(D, s);
+  if (D->d->t.nwheel > 0) wheel_forces(D, s);
   point_velocities(D, s);
   velocities(D, s);
 }

@@ -53,6 +53,25 @@ enum {
 }; /* then c1..c4 v11 v22 */
 enum { MAGGI_JSPRING_K, MAGGI_JSPRING_C, MAGGI_JSPRING_REST, MAGGI_JSPRING_PRELOAD };
 enum { MAGGI_DRAG_RHO, MAGGI_DRAG_C, MAGGI_DRAG_AREA, MAGGI_DRAG_LOW, MAGGI_DRAG_WIND };
+enum {
+  MAGGI_BUMPS_RADIUS,
+  MAGGI_BUMPS_HEIGHT,
+  MAGGI_BUMPS_FIRST,
+  MAGGI_BUMPS_SPACING,
+  MAGGI_BUMPS_FILLET
+};
+
+/* what is known of a wheel on its road; Fz as its spring has it, negative in the air */
+enum {
+  MAGGI_SLIP_KAPPA,
+  MAGGI_SLIP_TAN_ALPHA,
+  MAGGI_SLIP_GAMMA,
+  MAGGI_SLIP_FZ,
+  MAGGI_SLIP_VX,
+  MAGGI_SLIP_RADIUS,  /* loaded */
+  MAGGI_SLIP_ROLLING, /* Re */
+  MAGGI_SLIP_NUMBERS
+};
 
 #define MAGGI_TOPO_SIZES(X)                                                                        \
   X(nbody, "expanded bodies without the ground")                                                   \
@@ -151,6 +170,8 @@ enum { MAGGI_DRAG_RHO, MAGGI_DRAG_C, MAGGI_DRAG_AREA, MAGGI_DRAG_LOW, MAGGI_DRAG
   X(tyreadr, ntyre, "address: MAGGI_TYRE_..")                                                      \
   X(roadkind, nroad, "maggi_road_type")                                                            \
   X(roadadr, nroad, "address of its numbers")                                                      \
+  X(roadn, nroad, "number of bumps or points")                                                     \
+  X(roadspline, nroad, "first second derivative of a profile")                                     \
   X(roadpoint, nroad, "point on the ground from which its height counts")                          \
   X(wheelbody, nwheel, "body that turns")                                                          \
   X(wheelcarrier, nwheel, "body on which it turns")                                                \

@@ -255,7 +255,9 @@ maggi_status maggi_load_sensor(const load_build *b, const load_sensor *sensor)
                                                              [MAGGI_SENSOR_ROD] = "--r",
                                                              [MAGGI_SENSOR_TYRE_SLIP] = "--r",
                                                              [MAGGI_SENSOR_TYRE_FORCE] = "--r",
-                                                             [MAGGI_SENSOR_TYRE_MOMENT] = "--r"};
+                                                             [MAGGI_SENSOR_TYRE_MOMENT] = "--r",
+                                                             [MAGGI_SENSOR_TYRE_CONTACT] = "--r",
+                                                             [MAGGI_SENSOR_TYRE_SLOPE] = "--r"};
   const load_key keys[] = {
       {KEY(sensor, body)}, {KEY(sensor, point)}, {KEY(sensor, element)}, {NULL, 0}};
   maggi_sensor_def def;

@@ -23,8 +23,10 @@ static const char *const sensor_words[] = {"position",
                                            "rod",
                                            "tyre_slip",
                                            "tyre_force",
-                                           "tyre_moment"};
-static const char *const road_words[] = {"flat", "sine"};
+                                           "tyre_moment",
+                                           "tyre_contact",
+                                           "tyre_slope"};
+static const char *const road_words[] = {"flat", "sine", "bumps", "profile"};
 static const char *const objective_words[] = {
     "integral", "integral_square", "mean", "mean_square",    "rms",   "rmq",      "vdv",
     "maximum",  "minimum",         "peak", "smooth_maximum", "value", "terminal", "least_squares",

@@ -428,14 +428,23 @@ typedef struct maggi_tyre_def {
 } maggi_tyre_def;
 
 /* A road: its height is a function of x alone, from a point on.  z is up.
- * Paths: roads.NAME.point.x .., .slope; .amplitude, .wavelength
+ * Paths: roads.NAME.point.x .., .slope; .amplitude, .wavelength; .radius, .height, .first, .spacing,
+ * .fillet; .x.1, .x.2 .., .z.1 ..
  *
- *   flat   z = point.z + slope (x - point.x)
- *   sine   z = point.z + amplitude sin(2 pi (x - point.x) / wavelength)
+ *   flat     z = point.z + slope (x - point.x)
+ *   sine     z = point.z + amplitude sin(2 pi (x - point.x) / wavelength)
+ *   bumps    `number` cylinders across a level road, their tops at `height`, their axes at
+ *            x - point.x = first, first + spacing ..; their edges are rounded with two continuous
+ *            derivatives, over the length `fillet` of the road.  Wheels meet the cylinder straight
+ *            below, and it pushes them up, not back: the normal is vertical
+ *   profile  `number` points x, z from `point` joined by a natural C2 cubic spline, extended by
+ *            straight lines
  */
 typedef enum maggi_road_type {
   MAGGI_ROAD_FLAT,
   MAGGI_ROAD_SINE,
+  MAGGI_ROAD_BUMPS,
+  MAGGI_ROAD_PROFILE,
   MAGGI_ROAD_TYPE_COUNT
 } maggi_road_type;
 
@@ -443,8 +452,11 @@ typedef struct maggi_road_def {
   const char *name;
   maggi_road_type type;
   double point[3];
-  double slope;                 /* of MAGGI_ROAD_FLAT */
-  double amplitude, wavelength; /* of MAGGI_ROAD_SINE, m */
+  double slope;                                  /* of MAGGI_ROAD_FLAT */
+  double amplitude, wavelength;                  /* of MAGGI_ROAD_SINE, m */
+  double radius, height, first, spacing, fillet; /* of MAGGI_ROAD_BUMPS, m; fillet 0: sharp edges */
+  int number;                                    /* of bumps, or of points */
+  const double *x, *z;                           /* of MAGGI_ROAD_PROFILE, x rising, m */
 } maggi_road_def;
 
 /* A wheel with a tyre on a road: a rigid disc, contact where the steepest line from its centre down its
@@ -522,6 +534,12 @@ typedef struct maggi_function_def {
  *   tyre_slip             NAME.kappa [-], NAME.alpha [rad], NAME.gamma [rad] of a wheel
  *   tyre_force            NAME.fx NAME.fy NAME.fz [N], at the contact point in its axes
  *   tyre_moment           NAME.mx NAME.my NAME.mz [N m]
+ *   tyre_contact          NAME.deflection, NAME.loaded_radius, NAME.rolling_radius [m]: R0 - r,
+ *                         negative above the road; r; Re
+ *   tyre_slope            NAME.dfy_dalpha, NAME.dfx_dkappa [N/rad, N] at this slip and load, negative and
+ *                         positive while more slip still gives more force (PKY1 < 0);
+ *                         NAME.utilisation [-]: sqrt((Fx / Dx)^2 + (Fy / Dy)^2), D the peaks of pure
+ *                         slip at this load and camber.  All 0 in the air
  *
  * at_cog: the point is the centre of gravity of the body as its `cog` says, or the middle of its bar;
  * then `point` is no parameter.
@@ -541,6 +559,8 @@ typedef enum maggi_sensor_type {
   MAGGI_SENSOR_TYRE_SLIP,
   MAGGI_SENSOR_TYRE_FORCE,
   MAGGI_SENSOR_TYRE_MOMENT,
+  MAGGI_SENSOR_TYRE_CONTACT,
+  MAGGI_SENSOR_TYRE_SLOPE,
   MAGGI_SENSOR_TYPE_COUNT
 } maggi_sensor_type;
 
