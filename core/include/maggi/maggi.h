@@ -669,6 +669,26 @@ void maggi_model_free(maggi_model *model);
 maggi_status maggi_model_load(const char *path, maggi_model **model, char *message,
                               size_t nmessage);
 
+/* Read the property file (.tir) of a tyre, as model files name it.
+ *
+ * out   def       its numbers; name NULL
+ *       message   one line, as of maggi_model_load                            (nmessage chars)
+ * status          MAGGI_OK, MAGGI_E_MEMORY, MAGGI_E_FILE, MAGGI_E_MODEL
+ * since           0.6; only in builds with MAGGI_WITH_YAML
+ */
+maggi_status maggi_tyre_load(const char *path, maggi_tyre_def *def, char *message, size_t nmessage);
+
+/* The formula of a tyre by itself, as wheels use it.
+ *
+ * in    side    of the vehicle: mirrored when it is not def->side
+ *       slip    kappa [-], alpha [rad], gamma [rad], Fz [N], Vx [m/s]
+ * out   force   Fx, Fy, Fz [N], Mx, My, Mz [N m]; all 0 where Fz is not positive
+ *       slope   dFy/dalpha [N/rad], dFx/dkappa [N], utilisation [-] as of a sensor tyre_slope, or NULL
+ * since         0.6
+ */
+void maggi_tyre_forces(const maggi_tyre_def *def, maggi_side side, const double slip[5],
+                       double force[6], double slope[3]);
+
 /* The multiple four-bar mechanism of [1] 4.6.2, ny four-bars side by side in each of nz rows, with
  * z_1'(0) = pi/3 rad/s on the first vertical bar.  (2*ny + 1)*nz bars of 1 m and 1 kg in the yz
  * plane, as many coordinates, nz degrees of freedom.  Vertical bars v_R_C and horizontal ones h_R_C,
