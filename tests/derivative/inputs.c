@@ -116,7 +116,7 @@ static void random_road(inputs *in, int road, double *p)
     p[MAGGI_BUMPS_FILLET] = mech_uniform(&in->random, 0.2, 0.4);
   } else if (t->roadkind[road] == MAGGI_ROAD_PROFILE) {
     for (k = 0; k < n; ++k) {
-      p[k] = 0.3 * (k - 3) + mech_uniform(&in->random, 0.0, 0.1);
+      p[k] = (1.4 * k + mech_uniform(&in->random, -0.3, 0.3)) / n - 0.7;
       p[n + k] = mech_uniform(&in->random, -0.1, 0.1);
     }
   } else {
