@@ -967,6 +967,62 @@ static void element_forces_call_b_d(const maggi_topo *t, double *x[], double *xd
                            (void *)xd[11], (void *)xb[11], (void *)xbd[11], (void *)x[12]);
 }
 
+static int size_nspeed_3(const maggi_topo *t)
+{
+  return t->nspeed * 3;
+}
+
+static const maggi_head_argument control_forces_arguments[] = {
+    {"p", MAGGI_HEAD_INPUT, size_np},
+    {"fun", MAGGI_HEAD_INPUT, size_nfun_3},
+    {"v", MAGGI_HEAD_PASSIVE, size_nq},
+    {"rv", MAGGI_HEAD_INPUT, size_npoint_3},
+    {"speed", MAGGI_HEAD_OUTPUT, size_nspeed_3},
+    {"tau", MAGGI_HEAD_BOTH, size_nq},
+    {"power", MAGGI_HEAD_PASSIVE, size_1},
+};
+
+static void control_forces_call(const maggi_topo *t, double *x[])
+{
+  maggi_control_forces(t, (void *)x[0], (void *)x[1], (void *)x[2], (void *)x[3], (void *)x[4],
+                       (void *)x[5], (void *)x[6]);
+}
+
+static void control_forces_call_d(const maggi_topo *t, double *x[], double *xd[])
+{
+  maggi_control_forces_d(t, (void *)x[0], (void *)xd[0], (void *)x[1], (void *)xd[1], (void *)x[2],
+                         (void *)x[3], (void *)xd[3], (void *)x[4], (void *)xd[4], (void *)x[5],
+                         (void *)xd[5], (void *)x[6]);
+}
+
+#ifndef MAGGI_COMPLEX
+static void control_forces_call_dv(const maggi_topo *t, double *x[], double *xd[])
+{
+  maggi_control_forces_dv(t, (void *)x[0], (void *)xd[0], (void *)x[1], (void *)xd[1], (void *)x[2],
+                          (void *)x[3], (void *)xd[3], (void *)x[4], (void *)xd[4], (void *)x[5],
+                          (void *)xd[5], (void *)x[6], MAGGI_NDIR);
+}
+#else
+#define control_forces_call_dv NULL
+#endif
+
+static void control_forces_call_b(const maggi_topo *t, double *x[], double *xb[])
+{
+  maggi_control_forces_b(t, (void *)x[0], (void *)xb[0], (void *)x[1], (void *)xb[1], (void *)x[2],
+                         (void *)x[3], (void *)xb[3], (void *)x[4], (void *)xb[4], (void *)x[5],
+                         (void *)xb[5], (void *)x[6]);
+}
+
+static void control_forces_call_b_d(const maggi_topo *t, double *x[], double *xd[], double *xb[],
+                                    double *xbd[])
+{
+  maggi_control_forces_b_d(t, (void *)x[0], (void *)xd[0], (void *)xb[0], (void *)xbd[0],
+                           (void *)x[1], (void *)xd[1], (void *)xb[1], (void *)xbd[1], (void *)x[2],
+                           (void *)x[3], (void *)xd[3], (void *)xb[3], (void *)xbd[3], (void *)x[4],
+                           (void *)xd[4], (void *)xb[4], (void *)xbd[4], (void *)x[5],
+                           (void *)xd[5], (void *)xb[5], (void *)xbd[5], (void *)x[6]);
+}
+
 static const maggi_head_argument body_inertias_arguments[] = {
     {"body0", MAGGI_HEAD_INPUT, size_nbody_10},
     {"A", MAGGI_HEAD_INPUT, size_nbody_1_9},
@@ -1501,6 +1557,8 @@ const maggi_head maggi_heads[] = {
       wheel_forces_call_dv, wheel_forces_call_b, wheel_forces_call_b_d},
   {"maggi_element_forces", 13, element_forces_arguments, element_forces_call, element_forces_call_d,
       element_forces_call_dv, element_forces_call_b, element_forces_call_b_d},
+  {"maggi_control_forces", 7, control_forces_arguments, control_forces_call, control_forces_call_d,
+      control_forces_call_dv, control_forces_call_b, control_forces_call_b_d},
   {"maggi_body_inertias", 4, body_inertias_arguments, body_inertias_call, body_inertias_call_d,
       body_inertias_call_dv, body_inertias_call_b, body_inertias_call_b_d},
   {"maggi_inertia_forces", 4, inertia_forces_arguments, inertia_forces_call, inertia_forces_call_d,
@@ -1525,4 +1583,4 @@ const maggi_head maggi_heads[] = {
       potential_energy_call_b_d},
 };
 
-const int maggi_nhead = 28;
+const int maggi_nhead = 29;

@@ -375,17 +375,45 @@ int maggi_initial_position(const maggi_data *d, int q)
   return d->is_settled || d->position_given[q] ? d->m->initial_position[q] : -1;
 }
 
-maggi_status maggi_data_reset(maggi_data *d)
+static void load_positions(maggi_data *d)
 {
-  const maggi_model *m = d->m;
+  int i, adr;
+
+  for (i = 0; i < d->t.nq; ++i) {
+    adr = d->m->initial_position[i];
+    if (adr >= 0) d->q[i] = d->p[adr];
+  }
+}
+
+maggi_status maggi_assemble_guess(maggi_data *d)
+{
+  maggi_status status = begin(d);
+
+  if (status != MAGGI_OK) return status;
+  load_positions(d);
+  status = assemble(d, 0.0, 0);
+  return status == MAGGI_OK ? maggi_plan(d, 0, 0.1) : status;
+}
+
+/* at the equilibrium of the static twin, which closes the loops; its held coordinates are where p says */
+static maggi_status place_at_equilibrium(maggi_data *d)
+{
+  maggi_status status = maggi_equilibrium_find(d->equilibrium, d);
+
+  if (status != MAGGI_OK) return status;
+  maggi_evaluate_positions(d, 0.0);
+  d->is_kept = 0;
+  d->is_settled = 1;
+  return plan_start(d);
+}
+
+/* at the positions of p, as far as the loops allow */
+static maggi_status place(maggi_data *d)
+{
   maggi_saved_plan plan;
   maggi_status status;
-  int i;
 
-  status = begin(d);
-  if (status != MAGGI_OK) return status;
-  for (i = 0; i < d->t.nq; ++i)
-    if (m->initial_position[i] >= 0) d->q[i] = d->p[m->initial_position[i]];
+  load_positions(d);
   status = assemble(d, 0.0, MAGGI_KEEP_POSITION);
   if (status == MAGGI_OK) status = plan_start(d);
   if (status != MAGGI_OK) return status;
@@ -398,6 +426,17 @@ maggi_status maggi_data_reset(maggi_data *d)
     maggi_plan_save(d, &plan);
     status = plan_start(d);
   }
+  return status;
+}
+
+maggi_status maggi_data_reset(maggi_data *d)
+{
+  const maggi_model *m = d->m;
+  maggi_status status;
+  int i;
+
+  status = begin(d);
+  if (status == MAGGI_OK) status = (d->equilibrium ? place_at_equilibrium : place)(d);
   if (status != MAGGI_OK) return status;
   for (i = 0; i < d->t.nind; ++i) d->vcol[i] = d->p[m->initial_velocity[d->t.colq[i]]];
   status = complete(d, 0.0);

@@ -73,6 +73,10 @@ maggi_status maggi_data_create(const maggi_model *m, maggi_data **data)
     maggi_data_free(d);
     return MAGGI_E_MEMORY;
   }
+  if (m->twin && maggi_equilibrium_create(m->twin, &d->equilibrium) != MAGGI_OK) {
+    maggi_data_free(d);
+    return MAGGI_E_MEMORY;
+  }
   d->start = (maggi_node){.q = d->q0, .v = d->v0, .a = d->a0};
   d->node = (maggi_node){.q = d->qn, .v = d->vn, .a = d->an};
   for (i = 0; i < m->nparameter; ++i) d->p[i] = m->parameter[i].value;
@@ -96,6 +100,7 @@ void maggi_data_free(maggi_data *d)
   free(d->position_given);
   free(d->velocity_given);
   maggi_planner_free(d->planner);
+  maggi_equilibrium_free(d->equilibrium);
   free(d);
 }
 

@@ -38,6 +38,7 @@
   X(IS, nbody1, 10, "the same of the whole subtree")                                               \
   X(F, nbody1, 6, "inertia forces at P, with a minus")                                             \
   X(Q, nbody1, 6, "forces of elements at P")                                                       \
+  X(speed, nspeed, 3, "controllers of speed: error, torque, speed")                                \
   X(FS, nbody1, 6, "F + Q of the whole subtree")                                                   \
   X(Fb, nq, 6, "IS b")                                                                             \
   X(rodjac, nrodjac, 3, "velocity of ends of rods by coordinates")                                 \
@@ -108,6 +109,7 @@
 #define MAGGI_RENEW_BELOW 0.2
 
 typedef struct maggi_planner maggi_planner;
+typedef struct maggi_equilibrium maggi_equilibrium;
 
 static inline int maggi_is_independent(const maggi_topo *t, int q)
 {
@@ -161,11 +163,12 @@ struct maggi_data {
   maggi_node start;   /* of the last Runge-Kutta step: q0, v0, a0 */
   maggi_node node;    /* its end: qn, vn, an; later than the state of `time` if is_ahead */
   int is_ahead;
-  maggi_follower *follower; /* or NULL */
-  int careless;             /* steps still taken without care at singular positions */
-  double replan_below;      /* pivot ratio at which a better choice is looked for */
-  int ready;                /* after a successful reset */
-  int is_settled;           /* by reset: independent coordinates are where p says */
+  maggi_follower *follower;       /* or NULL */
+  int careless;                   /* steps still taken without care at singular positions */
+  double replan_below;            /* pivot ratio at which a better choice is looked for */
+  int ready;                      /* after a successful reset */
+  maggi_equilibrium *equilibrium; /* at which a reset starts, or NULL */
+  int is_settled;                 /* by reset: independent coordinates are where p says */
   int is_kept;     /* by reset: these were those of another plan, with MAGGI_KEEP_POSITION: */
   void *kept_plan; /* maggi_saved_plan */
   int fresh;       /* MAGGI_STALE, .. */
@@ -239,6 +242,17 @@ maggi_status maggi_check(maggi_data *d, double time);
 int maggi_initial_position(const maggi_data *d, int q);
 void maggi_hold_choice(maggi_data *d);
 maggi_status maggi_evaluate_start(maggi_data *d, int is_kept);
+
+/* Near what p says, loops closed by whatever coordinates are good for it, with a plan; after it, rates are
+ * undefined. */
+maggi_status maggi_assemble_guess(maggi_data *d);
+
+/* core/sensitivity/equilibrium.c: static equilibrium, of which the Jacobian is a derivative, on a maggi_data of
+ * the static twin of a model.  Find gives the positions of d, with the text of a failure there;
+ * free(NULL) does nothing. */
+maggi_status maggi_equilibrium_create(const maggi_model *twin, maggi_equilibrium **equilibrium);
+void maggi_equilibrium_free(maggi_equilibrium *e);
+maggi_status maggi_equilibrium_find(maggi_equilibrium *e, maggi_data *d);
 
 /* integrate.c: q, H v, H^2 a at the part s of a step of length H from those at its ends: rows of c by q, v, a
  * at the start, then at the end */

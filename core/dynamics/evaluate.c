@@ -75,6 +75,7 @@ static void accelerate(maggi_data *d)
                        ARRAY(d->rv), d->slip, d->grip, d->roll);
   maggi_element_forces(t, d->p, ARRAY(d->fun), d->spring0, d->q, d->v, ARRAY(d->A), ARRAY(d->Z),
                        ARRAY(d->r), ARRAY(d->rv), ARRAY(d->roll), d->Q, d->tau, d->power);
+  maggi_control_forces(t, d->p, ARRAY(d->fun), d->v, ARRAY(d->rv), d->speed, d->tau, d->power);
   maggi_body_inertias(t, ARRAY(d->body0), ARRAY(d->A), ARRAY(d->x), d->I);
   maggi_inertia_forces(t, ARRAY(d->I), ARRAY(d->Z), Zb, d->F);
   if (t->nrod > 0) {
@@ -131,6 +132,7 @@ void maggi_evaluate_given(maggi_data *d, double time)
                        ARRAY(d->rv), d->slip, d->grip, d->roll);
   maggi_element_forces(t, d->p, ARRAY(d->fun), d->spring0, d->q, d->v, ARRAY(d->A), ARRAY(d->Z),
                        ARRAY(d->r), ARRAY(d->rv), ARRAY(d->roll), d->Q, d->tau, d->power);
+  maggi_control_forces(t, d->p, ARRAY(d->fun), d->v, ARRAY(d->rv), d->speed, d->tau, d->power);
   maggi_body_inertias(t, ARRAY(d->body0), ARRAY(d->A), ARRAY(d->x), d->I);
   d->fresh = MAGGI_STALE;
 }

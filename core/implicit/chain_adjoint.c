@@ -24,6 +24,7 @@ void maggi_adjoint_forces(maggi_derivative *D)
     s->Za[i] = 0.0;
   }
   body_inertias(D, s);
+  control_forces(D, s);
   element_forces(D, s);
   if (D->d->t.nwheel > 0) wheel_forces(D, s);
   point_velocities(D, s);
@@ -68,6 +69,7 @@ void maggi_adjoint_balance(maggi_derivative *D, double alpha)
   inertia_forces(D, s);
   if (t->nrod > 0) point_accelerations(D, s);
   accelerations(D, s);
+  control_forces(D, s);
   element_forces(D, s);
   if (D->d->t.nwheel > 0) wheel_forces(D, s);
   point_velocities(D, s);

@@ -52,6 +52,18 @@ static void add_bodies(entries *e, int a, int b, int both)
   }
 }
 
+/* torques of controllers depend on how a point moves */
+static void add_controllers(entries *e)
+{
+  const maggi_topo *t = e->t;
+  int i, k, body;
+
+  for (i = 0; i < t->nspeed; ++i)
+    for (k = t->speedqadr[i]; k < t->speedqadr[i] + t->speedqnum[i]; ++k)
+      for (body = t->pointbody[t->speedpoint[i]]; body != t->nbody; body = t->parent[body])
+        if (t->qid[body] >= 0) add(e, t->speedq[k], t->qid[body]);
+}
+
 static void add_all(entries *e)
 {
   const maggi_topo *t = e->t;
@@ -67,6 +79,7 @@ static void add_all(entries *e)
     if (t->forcekind[i] != MAGGI_FORCE_JOINT && t->forcekind[i] != MAGGI_TORQUE_GLOBAL)
       add_bodies(e, t->forcereaction[i], t->forcebody[i], 0);
   for (i = 0; i < t->nwheel; ++i) add_bodies(e, t->wheelbody[i], t->wheelcarrier[i], 0);
+  add_controllers(e);
 }
 
 /* the entries as a matrix of which the rows are listed */

@@ -8,6 +8,7 @@
  *   loads          i moves the body that takes the reaction and j the one that is loaded, relative
  *                  to the lowest body that carries both; not of torques in global axes, which
  *                  follow no body
+ *   controllers    j moves the point whose speed they keep, i is a coordinate on which they act
  *   springs on two coordinates
  *                  i is one of them and j the other
  *

@@ -158,6 +158,11 @@ void maggi_element_forces(const maggi_topo *t, const double p[t->np], const doub
                           const double rv[t->npoint][3], const double roll[t->nwheel][6],
                           double Q[t->nbody + 1][6], double tau[t->nq], double power[1]);
 
+/* control.c: controllers of speed; adds to tau and power */
+void maggi_control_forces(const maggi_topo *t, const double p[t->np], const double fun[t->nfun][3],
+                          const double v[t->nq], const double rv[t->npoint][3],
+                          double speed[t->nspeed][3], double tau[t->nq], double power[1]);
+
 /* mass.c: mass matrix, its reduction, right-hand side */
 void maggi_mass_matrix(const maggi_topo *t, const double p[t->np], const double b[t->nbody][6],
                        const double r[t->npoint][3], const double IS[t->nbody + 1][10],

@@ -53,6 +53,7 @@ enum {
 }; /* then c1..c4 v11 v22 */
 enum { MAGGI_JSPRING_K, MAGGI_JSPRING_C, MAGGI_JSPRING_REST, MAGGI_JSPRING_PRELOAD };
 enum { MAGGI_DRAG_RHO, MAGGI_DRAG_C, MAGGI_DRAG_AREA, MAGGI_DRAG_LOW, MAGGI_DRAG_WIND };
+enum { MAGGI_SPEED_TARGET, MAGGI_SPEED_GAIN, MAGGI_SPEED_TORQUE, MAGGI_SPEED_LOW };
 enum {
   MAGGI_BUMPS_RADIUS,
   MAGGI_BUMPS_HEIGHT,
@@ -94,6 +95,8 @@ enum {
   X(nspring, "springs between points")                                                             \
   X(njspring, "springs on coordinates")                                                            \
   X(nforce, "loads")                                                                               \
+  X(nspeed, "controllers of speed")                                                                \
+  X(nspeedq, "coordinates on which they act")                                                      \
   X(ntyre, "tyres: sets of numbers")                                                               \
   X(nroad, "roads")                                                                                \
   X(nwheel, "wheels")                                                                              \
@@ -167,6 +170,14 @@ enum {
   X(forceq, nforce, "coordinate, -1 if none")                                                      \
   X(forcefun, nforce, "function, -1: constant")                                                    \
   X(forceadr, nforce, "address of the value, or of the numbers of a drag")                         \
+  X(speedlinear, nspeed, "1: torque in proportion to the error, 0: to its square")                 \
+  X(speedpoint, nspeed, "point")                                                                   \
+  X(speedfun, nspeed, "function, factor on the target, -1: constant")                              \
+  X(speedadr, nspeed, "address: MAGGI_SPEED_..")                                                   \
+  X(speedheld, nspeed, "1: no torque")                                                             \
+  X(speedqadr, nspeed, "first entry of speedq")                                                    \
+  X(speedqnum, nspeed, "number of entries")                                                        \
+  X(speedq, nspeedq, "coordinate")                                                                 \
   X(tyreadr, ntyre, "address: MAGGI_TYRE_..")                                                      \
   X(roadkind, nroad, "maggi_road_type")                                                            \
   X(roadadr, nroad, "address of its numbers")                                                      \

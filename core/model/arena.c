@@ -38,6 +38,18 @@ double *maggi_arena_numbers(maggi_arena *arena, const double *numbers, int n)
   return copy;
 }
 
+const char **maggi_arena_texts(maggi_arena *arena, const char *const *texts, int n)
+{
+  const char **copy = maggi_arena_alloc(arena, (size_t)n * sizeof *copy);
+  int i;
+
+  for (i = 0; copy && i < n; ++i) {
+    copy[i] = maggi_arena_text(arena, texts[i]);
+    if (!copy[i]) return NULL;
+  }
+  return copy;
+}
+
 char *maggi_arena_format(maggi_arena *arena, const char *format, ...)
 {
   va_list args;

@@ -11,6 +11,7 @@ typedef struct maggi_arena {
 void *maggi_arena_alloc(maggi_arena *arena, size_t size); /* zeroed; NULL when out of memory */
 char *maggi_arena_text(maggi_arena *arena, const char *text);
 double *maggi_arena_numbers(maggi_arena *arena, const double *numbers, int n);
+const char **maggi_arena_texts(maggi_arena *arena, const char *const *texts, int n);
 char *maggi_arena_format(maggi_arena *arena, const char *format, ...);
 void maggi_arena_free(maggi_arena *arena);
 

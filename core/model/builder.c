@@ -48,6 +48,7 @@ void maggi_builder_free(maggi_builder *builder)
 #define X(kind, section) free(builder->kind);
   MAGGI_BUILDER_LIST(X)
 #undef X
+  free(builder->setting);
   maggi_arena_free(&builder->arena);
   free(builder);
 }
@@ -117,7 +118,9 @@ static int own_force(maggi_builder *b, maggi_force_def *d)
   OWN(reaction);
   OWN(coordinate);
   OWN(function);
-  return 1;
+  if (d->ncoordinate > 0)
+    d->coordinates = maggi_arena_texts(&b->arena, d->coordinates, d->ncoordinate);
+  return d->ncoordinate <= 0 || d->coordinates;
 }
 
 static int own_tyre(maggi_builder *b, maggi_tyre_def *d)
@@ -249,6 +252,25 @@ maggi_status maggi_builder_source(maggi_builder *b, const char *text)
   return MAGGI_OK;
 }
 
+maggi_status maggi_builder_set(maggi_builder *b, const char *name, double value)
+{
+  maggi_setting *list;
+  int i;
+
+  if (!isfinite(value)) return maggi_fail_at(b, "set", name, "the value is not finite");
+  for (i = 0; i < b->nsetting; ++i)
+    if (strcmp(b->setting[i].name, name) == 0)
+      return maggi_fail_at(b, "set", name, "this name is there already");
+  list = grown(b->setting, b->nsetting, &b->capsetting, sizeof *list);
+  if (!list) return no_memory(b);
+  b->setting = list;
+  list[b->nsetting].name = maggi_arena_text(&b->arena, name);
+  list[b->nsetting].value = value;
+  if (!list[b->nsetting].name) return no_memory(b);
+  ++b->nsetting;
+  return MAGGI_OK;
+}
+
 maggi_status maggi_builder_simulation(maggi_builder *b, const maggi_simulation_def *def)
 {
   if (!isfinite(def->time) || def->time < 0.0)
@@ -258,6 +280,22 @@ maggi_status maggi_builder_simulation(maggi_builder *b, const maggi_simulation_d
     return maggi_builder_fail(b, MAGGI_E_MODEL, "simulation: step is not a positive number (%g)",
                               def->step);
   b->simulation = *def;
+  return MAGGI_OK;
+}
+
+maggi_status maggi_builder_start(maggi_builder *b, const maggi_start_def *def)
+{
+  maggi_start_def d = *def;
+  const char **hold = maggi_arena_alloc(&b->arena, ((size_t)d.nhold + 1) * sizeof *hold);
+  int i;
+
+  if (!hold) return no_memory(b);
+  for (i = 0; i < d.nhold; ++i) {
+    hold[i] = maggi_arena_text(&b->arena, def->hold[i]);
+    if (!hold[i]) return no_memory(b);
+  }
+  d.hold = hold;
+  b->start = d;
   return MAGGI_OK;
 }
 
@@ -342,9 +380,16 @@ void maggi_sensor_def_init(maggi_sensor_def *def)
   memset(def, 0, sizeof *def);
 }
 
+void maggi_start_def_init(maggi_start_def *def)
+{
+  memset(def, 0, sizeof *def);
+}
+
 void maggi_objective_def_init(maggi_objective_def *def)
 {
   memset(def, 0, sizeof *def);
+  def->from = NAN;
+  def->to = NAN;
 }
 
 void maggi_design_def_init(maggi_design_def *def)

@@ -24,17 +24,25 @@ enum { MAGGI_MESSAGE_SIZE = 512 };
   X(objective, objectives)                                                                         \
   X(design, design)
 
+typedef struct maggi_setting {
+  const char *name; /* path, glob or design parameter */
+  double value;
+} maggi_setting;
+
 struct maggi_builder {
   maggi_arena arena;
   const char *name;
   const char *source;
   double gravity[3];
   maggi_simulation_def simulation;
+  maggi_start_def start;
 #define X(kind, section)                                                                           \
   maggi_##kind##_def *kind;                                                                        \
   int n##kind, cap##kind;
   MAGGI_BUILDER_LIST(X)
 #undef X
+  maggi_setting *setting;
+  int nsetting, capsetting;
   char message[MAGGI_MESSAGE_SIZE];
 };
 

@@ -207,12 +207,25 @@ maggi_status maggi_check_joint_spring(maggi_builder *b, const maggi_joint_spring
   return MAGGI_OK;
 }
 
+static maggi_status check_speed(maggi_builder *b, const maggi_force_def *d)
+{
+  int i;
+
+  REQUIRE(d->ncoordinate >= 1 && d->coordinates, "forces", d->name, "coordinates are missing");
+  for (i = 0; i < d->ncoordinate; ++i)
+    REQUIRE(d->coordinates[i], "forces", d->name, "coordinates: number %d is missing", i + 1);
+  REQUIRE(isfinite(d->speed) && isfinite(d->gain) && isfinite(d->torque), "forces", d->name,
+          "a number is not finite");
+  return MAGGI_OK;
+}
+
 maggi_status maggi_check_force(maggi_builder *b, const maggi_force_def *d)
 {
   REQUIRE((int)d->type >= 0 && d->type < MAGGI_FORCE_TYPE_COUNT, "forces", d->name,
           "force type %d does not exist", (int)d->type);
   REQUIRE(maggi_all_finite(d->point, 3) && maggi_all_finite(d->value, 3), "forces", d->name,
           "a number is not finite");
+  if (d->type == MAGGI_FORCE_SPEED || d->type == MAGGI_FORCE_SPEED_LINEAR) return check_speed(b, d);
   return MAGGI_OK;
 }
 

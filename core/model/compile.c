@@ -220,7 +220,6 @@ static maggi_status compile(maggi_compile *c)
   if (status == MAGGI_OK) status = maggi_compile_elements(c);
   if (status == MAGGI_OK) status = maggi_compile_sensors(c);
   if (status == MAGGI_OK) status = maggi_compile_signals(c->m);
-  if (status == MAGGI_OK) status = check_parameters(c);
   if (status != MAGGI_OK) return status;
 
   c->t->np = m->nparameter;
@@ -228,7 +227,10 @@ static maggi_status compile(maggi_compile *c)
   if (!m->pathindex) return MAGGI_E_MEMORY;
   sort_paths(m, m->pathindex);
   if (c->no_memory) return MAGGI_E_MEMORY;
-  return maggi_compile_definitions(c);
+  status = maggi_compile_definitions(c);
+  if (status == MAGGI_OK) status = maggi_compile_parts(c);
+  if (status == MAGGI_OK) status = maggi_compile_settings(c);
+  return status == MAGGI_OK ? check_parameters(c) : status;
 }
 
 maggi_status maggi_model_create(maggi_builder *b, maggi_model **model)
@@ -247,6 +249,7 @@ maggi_status maggi_model_create(maggi_builder *b, maggi_model **model)
   MAGGI_TOPO_LIST(X)
 #undef X
   if (status == MAGGI_OK && c->no_memory) status = MAGGI_E_MEMORY;
+  if (status == MAGGI_OK) status = maggi_compile_start(c);
   if (status != MAGGI_OK) {
     if (status == MAGGI_E_MEMORY) maggi_builder_fail(b, status, "out of memory");
     maggi_model_free(c->m);
@@ -262,6 +265,7 @@ void maggi_model_free(maggi_model *model)
 #define X(name, size, text) free(model->topo.name);
   MAGGI_TOPO_LIST(X)
 #undef X
+  maggi_twin_free(model->twin);
   free(model->parameter);
   maggi_arena_free(&model->arena);
   free(model);

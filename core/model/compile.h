@@ -51,8 +51,15 @@ maggi_status maggi_compile_tree(maggi_compile *c);
 maggi_status maggi_compile_functions(maggi_compile *c);
 maggi_status maggi_compile_loops(maggi_compile *c);
 maggi_status maggi_compile_elements(maggi_compile *c);
+maggi_status maggi_compile_speed(maggi_compile *c, const maggi_force_def *d);
 maggi_status maggi_compile_sensors(maggi_compile *c);
 maggi_status maggi_compile_signals(maggi_model *m); /* after all others but: */
 maggi_status maggi_compile_definitions(maggi_compile *c);
+maggi_status maggi_compile_settings(maggi_compile *c); /* after them */
+maggi_status maggi_compile_start(maggi_compile *c);    /* once the topology of c->m has its lists */
+/* compile_start.c: m->twin */
+maggi_status maggi_twin_create(maggi_model *m);
+void maggi_twin_free(maggi_model *twin);
+maggi_status maggi_compile_parts(maggi_compile *c);
 
 #endif

@@ -10,6 +10,8 @@ static maggi_status check_signals(maggi_compile *c, const maggi_objective_def *d
 
   if (d->signal && maggi_signal_find(c->m, d->signal) < 0)
     return maggi_fail_at(c->b, "objectives", d->name, "signal \"%s\" does not exist", d->signal);
+  if (d->type == MAGGI_OBJECTIVE_SLOPE && maggi_signal_find(c->m, d->against) < 0)
+    return maggi_fail_at(c->b, "objectives", d->name, "against \"%s\" does not exist", d->against);
   for (i = 0; i < d->nsignal; ++i)
     if (maggi_signal_find(c->m, d->signals[i]) < 0)
       return maggi_fail_at(c->b, "objectives", d->name, "signals: \"%s\" does not exist",

@@ -151,6 +151,8 @@ static maggi_status add_force(maggi_compile *c, const maggi_force_def *d)
   int is_force =
       d->type == MAGGI_FORCE_GLOBAL || d->type == MAGGI_FORCE_BODY || d->type == MAGGI_FORCE_DRAG;
 
+  if (d->type == MAGGI_FORCE_SPEED || d->type == MAGGI_FORCE_SPEED_LINEAR)
+    return maggi_compile_speed(c, d);
   if (d->function) status = maggi_compile_function(c, "forces", d->name, d->function, &fun);
   if (status == MAGGI_OK && d->type == MAGGI_FORCE_JOINT)
     status = maggi_compile_coordinate(c, "forces", d->name, "coordinate", d->coordinate, &q);
@@ -292,7 +294,7 @@ maggi_status maggi_compile_elements(maggi_compile *c)
   t->nwheel = b->nwheel;
   t->nspring = b->nspring;
   t->njspring = b->njoint_spring;
-  t->nforce = b->nforce;
+  t->nforce = c->forcekind.n;
   t->npoint = t->npointdyn = c->pointbody.n;
   return status;
 }

@@ -264,6 +264,9 @@ static maggi_status name_coordinates(maggi_compile *c, const addresses *adr)
       m->coordinate[n].q = q;
       m->coordinate[n].is_angle = chain[b->body[i].joint][k].kind == MAGGI_ONE_REVOLUTE;
       m->coordinate[n].guided = b->body[i].motion[k] != NULL;
+      if (b->body[i].motion[k])
+        m->coordinate[n].motion = maggi_arena_text(&m->arena, b->body[i].motion[k]);
+      if (b->body[i].motion[k] && !m->coordinate[n].motion) return MAGGI_E_MEMORY;
       m->initial_position[q] = adr[i].position[k];
       m->initial_velocity[q] = adr[i].velocity[k];
       m->position_given[q] = b->body[i].position_given[k];

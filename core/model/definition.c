@@ -49,6 +49,34 @@ static maggi_status wrong_sum(const maggi_objective_def *d, char *text, size_t n
   return MAGGI_OK;
 }
 
+static int is_at_times(maggi_objective_type type)
+{
+  return type == MAGGI_OBJECTIVE_VALUE || type == MAGGI_OBJECTIVE_LEAST_SQUARES;
+}
+
+static int takes_reference(maggi_objective_type type)
+{
+  return type <= MAGGI_OBJECTIVE_VDV || type == MAGGI_OBJECTIVE_NORM;
+}
+
+static maggi_status wrong_window(const maggi_objective_def *d, char *text, size_t n)
+{
+  const char *type = maggi_objective_type_name(d->type);
+  double from = isnan(d->from) ? 0.0 : d->from;
+
+  REQUIRE((isnan(d->from) && isnan(d->to)) || !is_at_times(d->type), "a %s has no window", type);
+  REQUIRE(isnan(d->from) || d->type != MAGGI_OBJECTIVE_TERMINAL,
+          "a terminal is at the end of its window, so without from");
+  REQUIRE(!isinf(d->from) && !isinf(d->to), "the window is not finite");
+  REQUIRE(from >= 0.0, "the window begins before 0 (%g)", from);
+  REQUIRE(!(d->to <= from), "the window is empty (from %g to %g)", from, d->to);
+  REQUIRE((int)d->reference >= 0 && d->reference < MAGGI_REFERENCE_TYPE_COUNT,
+          "reference %d does not exist", (int)d->reference);
+  REQUIRE(d->reference == MAGGI_REFERENCE_NONE || takes_reference(d->type), "a %s has no reference",
+          type);
+  return MAGGI_OK;
+}
+
 maggi_status maggi_objective_wrong(const maggi_objective_def *d, char *text, size_t n)
 {
   int i;
@@ -66,9 +94,9 @@ maggi_status maggi_objective_wrong(const maggi_objective_def *d, char *text, siz
   if (d->type == MAGGI_OBJECTIVE_SMOOTH_MAXIMUM)
     REQUIRE(isfinite(d->sharpness) && d->sharpness > 0.0, "sharpness is not positive (%g)",
             d->sharpness);
-  if (d->type == MAGGI_OBJECTIVE_VALUE || d->type == MAGGI_OBJECTIVE_LEAST_SQUARES)
-    return wrong_times(d, text, n);
-  return MAGGI_OK;
+  REQUIRE(d->against || d->type != MAGGI_OBJECTIVE_SLOPE, "against is missing");
+  if (wrong_window(d, text, n) != MAGGI_OK) return MAGGI_E_VALUE;
+  return is_at_times(d->type) ? wrong_times(d, text, n) : MAGGI_OK;
 }
 
 maggi_status maggi_design_wrong(const maggi_design_def *d, char *text, size_t n)
@@ -101,15 +129,8 @@ static int own_text(maggi_arena *arena, const char **text)
 
 static int own_texts(maggi_arena *arena, const char *const **texts, int n)
 {
-  const char **copy = maggi_arena_alloc(arena, (size_t)n * sizeof *copy);
-  int i;
-
-  for (i = 0; copy && i < n; ++i) {
-    copy[i] = maggi_arena_text(arena, (*texts)[i]);
-    if (!copy[i]) return 0;
-  }
-  *texts = copy;
-  return copy != NULL;
+  *texts = maggi_arena_texts(arena, *texts, n);
+  return *texts != NULL;
 }
 
 static int own_numbers(maggi_arena *arena, const double **numbers, int n)
@@ -120,9 +141,8 @@ static int own_numbers(maggi_arena *arena, const double **numbers, int n)
 
 int maggi_objective_own(maggi_arena *arena, maggi_objective_def *d)
 {
-  int has_times = d->type == MAGGI_OBJECTIVE_VALUE || d->type == MAGGI_OBJECTIVE_LEAST_SQUARES;
-
-  if (!has_times) d->number = 0;
+  if (!is_at_times(d->type)) d->number = 0;
+  if (d->type != MAGGI_OBJECTIVE_SLOPE) d->against = NULL;
   if (d->type == MAGGI_OBJECTIVE_SUM) {
     d->signal = NULL;
     d->function = NULL;
@@ -131,6 +151,7 @@ int maggi_objective_own(maggi_arena *arena, maggi_objective_def *d)
   }
   if (!d->function) d->nsignal = 0;
   return (!d->signal || own_text(arena, &d->signal)) &&
+         (!d->against || own_text(arena, &d->against)) &&
          (d->nsignal == 0 || own_texts(arena, &d->signals, d->nsignal)) &&
          (d->number == 0 || own_numbers(arena, &d->times, d->number)) &&
          (d->number == 0 || !d->values || own_numbers(arena, &d->values, d->number)) &&

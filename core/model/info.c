@@ -80,6 +80,43 @@ const char *maggi_sensor_column_unit(const maggi_model *m, int column)
   return in(column, 3 * m->topo.nsensor) ? m->sensorunit[column] : NULL;
 }
 
+const char *maggi_coordinate_motion(const maggi_model *m, int coordinate)
+{
+  return in(coordinate, m->ncoordinate) ? m->coordinate[coordinate].motion : NULL;
+}
+
+static const char *kind_of(const maggi_model_kind *list, int n, int index, const char **type)
+{
+  if (!in(index, n)) return NULL;
+  if (type) *type = list[index].type;
+  return list[index].name;
+}
+
+const char *maggi_model_road(const maggi_model *m, int index, const char **type)
+{
+  return kind_of(m->road, m->nroad, index, type);
+}
+
+const char *maggi_model_function(const maggi_model *m, int index, const char **type)
+{
+  return kind_of(m->function, m->nfunction, index, type);
+}
+
+const maggi_sensor_def *maggi_model_sensor(const maggi_model *m, int index)
+{
+  return in(index, m->topo.nsensor) ? &m->sensor[index] : NULL;
+}
+
+const maggi_wheel_def *maggi_model_wheel(const maggi_model *m, int index)
+{
+  return in(index, m->nwheel) ? &m->wheel[index] : NULL;
+}
+
+const maggi_objective_def *maggi_model_objective_def(const maggi_model *m, int index)
+{
+  return in(index, m->nobjective) ? &m->objective[index] : NULL;
+}
+
 int maggi_body_find(const maggi_model *m, const char *name)
 {
   int i;

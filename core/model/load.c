@@ -67,37 +67,59 @@ static void take_report(cyaml_log_t level, void *context, const char *format, va
   if (line && report->line == 0) report->line = (size_t)strtoul(line + 7, NULL, 10);
 }
 
-static maggi_status load_checked(const load_error *e, const char *bytes, size_t n,
-                                 maggi_model **model)
+static cyaml_config_t config_of(cyaml_report *report)
 {
-  cyaml_report report = {.text = ""};
   const cyaml_config_t config = {.log_fn = take_report,
-                                 .log_ctx = &report,
+                                 .log_ctx = report,
                                  .mem_fn = cyaml_mem,
                                  .log_level = CYAML_LOG_ERROR,
                                  .flags = CYAML_CFG_NO_ALIAS};
+
+  return config;
+}
+
+maggi_status maggi_load_parse(load_source *source)
+{
+  const load_error *e = &source->error;
+  cyaml_report report = {.text = ""};
+  const cyaml_config_t config = config_of(&report);
   cyaml_data_t *file = NULL;
   cyaml_err_t error;
-  maggi_status status;
+  maggi_status status = maggi_load_check(e, source->bytes, source->n);
 
-  error = cyaml_load_data((const uint8_t *)bytes, n, &config, &maggi_load_schema, &file, NULL);
+  if (status) return status;
+  error = cyaml_load_data((const uint8_t *)source->bytes, source->n, &config, &maggi_load_schema,
+                          &file, NULL);
   if (error == CYAML_ERR_OOM || error == CYAML_ERR_LIBYAML_PARSER ||
       error == CYAML_ERR_LIBYAML_PARSER_INIT) /* load_check.c found no fault with the YAML */
     return fail_memory(e);
   if (error != CYAML_OK)
     return maggi_load_fail(e, report.line, "%s",
                            report.text[0] ? report.text : cyaml_strerror(error));
-  status = maggi_load_build(e, bytes, n, file, model);
-  cyaml_free(&config, &maggi_load_schema, file, 0);
-  return status;
+  source->file = file;
+  return MAGGI_OK;
+}
+
+void maggi_load_parse_free(load_source *source)
+{
+  cyaml_report report = {.text = ""};
+  const cyaml_config_t config = config_of(&report);
+
+  if (source->file) cyaml_free(&config, &maggi_load_schema, source->file, 0);
+  source->file = NULL;
 }
 
 static maggi_status read_model(const load_error *e, const char *bytes, size_t n, void *model)
 {
+  load_files files = {.number = 1};
   maggi_status status;
 
-  status = maggi_load_check(e, bytes, n);
-  if (status == MAGGI_OK) status = load_checked(e, bytes, n, model);
+  files.source[0].error = *e;
+  files.source[0].bytes = bytes;
+  files.source[0].n = n;
+  status = maggi_load_files(&files);
+  if (status == MAGGI_OK) status = maggi_load_build(&files, model);
+  maggi_load_files_free(&files);
   return status;
 }
 

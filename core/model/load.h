@@ -1,9 +1,10 @@
 /* Reading a model from memory: what maggi_model_load does with the bytes of a file.
  *
- * in    name      of the file, for messages
+ * in    name      of the file, for messages; paths in the file, of its `base` too, begin in its folder
  *       bytes     the YAML text, any bytes at all                       (n)
  * out   model     NULL on failure
- *       message   one line, `NAME:LINE: what is wrong`, "" on success     (nmessage chars, or NULL)
+ *       message   one line, `NAME:LINE: what is wrong`, "" on success     (nmessage chars, or NULL);
+ *                 NAME is that of the base where the fault is there
  *
  * status          MAGGI_OK, MAGGI_E_MEMORY, MAGGI_E_FILE (over MAGGI_LOAD_MAX), MAGGI_E_MODEL
  * threads         safe; the numbers are read in the C locale whatever the program has set

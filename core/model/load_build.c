@@ -70,16 +70,20 @@ maggi_status maggi_load_added(const load_build *b, const char *rest, maggi_statu
 /* The same for a call about a key of the top level, or (NULL) about the whole model. */
 static maggi_status done(const load_build *b, const char *key, maggi_status status)
 {
+  const load_source *source;
   const char *text;
   char path[PATH_CHARS] = "";
 
   if (status == MAGGI_OK) return MAGGI_OK;
   if (status == MAGGI_E_MEMORY) return fail_memory(b);
   text = b->builder ? maggi_builder_message(b->builder) : maggi_status_text(status);
+  source = maggi_load_text_source(b->files, key ? key : text);
   if (key && strncmp(text, key, strlen(key)) != 0)
-    return maggi_load_fail(b->error, maggi_load_line(b->bytes, b->n, key), "%s: %s", key, text);
+    return maggi_load_fail(&source->error, maggi_load_line(source->bytes, source->n, key), "%s: %s",
+                           key, text);
   add_words(path, text);
-  return maggi_load_fail(b->error, maggi_load_line(b->bytes, b->n, path), "%s", text);
+  return maggi_load_fail(&source->error, maggi_load_line(source->bytes, source->n, path), "%s",
+                         text);
 }
 
 /* ------------------------------------------------------------------------------- words and keys */
@@ -120,23 +124,23 @@ void maggi_load_copy3(double to[3], const double *from)
 
 char *maggi_load_path(const load_build *b, const char *file)
 {
-  const char *slash = *file == '/' ? NULL : strrchr(b->error->file, '/');
-  size_t head = slash ? (size_t)(slash - b->error->file) + 1 : 0, n = strlen(file) + 1;
-  char *path = malloc(head + n);
-
-  if (!path) return NULL;
-  memcpy(path, b->error->file, head);
-  memcpy(path + head, file, n);
-  return path;
+  return maggi_load_relative(b->error->file, file);
 }
 
 /* ------------------------------------------------------------------------------------ the model */
+
+static void at_source(load_build *b, const load_source *source)
+{
+  b->error = &source->error;
+  b->bytes = source->bytes;
+  b->n = source->n;
+}
 
 /* add for every entry of a list */
 #define ADD_ALL(entries, add)                                                                      \
   for (i = 0; status == MAGGI_OK && i < file->entries##_count; ++i) {                              \
     b->list = #entries;                                                                            \
-    b->number = i;                                                                                 \
+    at_source(b, maggi_load_entry_source(b->files, #entries, i, &b->number));                      \
     b->name = file->entries[i].name;                                                               \
     status = add(b, &file->entries[i]);                                                            \
   }
@@ -159,12 +163,14 @@ static maggi_status add_entries(load_build *b, const load_model *file)
   ADD_ALL(sensors, maggi_load_sensor)
   ADD_ALL(objectives, maggi_load_objective)
   ADD_ALL(design, maggi_load_design)
+  ADD_ALL(set, maggi_load_set)
   return status;
 }
 
 static maggi_status add_head(const load_build *b, const load_model *file)
 {
   maggi_simulation_def simulation;
+  maggi_start_def start;
   maggi_status status = MAGGI_OK;
 
   if (file->source) status = done(b, "source", maggi_builder_source(b->builder, file->source));
@@ -175,15 +181,23 @@ static maggi_status add_head(const load_build *b, const load_model *file)
     simulation.step = file->simulation->step;
     status = done(b, "simulation", maggi_builder_simulation(b->builder, &simulation));
   }
+  if (status == MAGGI_OK && file->start) {
+    start.equilibrium = file->start->equilibrium;
+    start.rolling = file->start->rolling;
+    start.nhold = (int)file->start->hold_count;
+    start.hold = (const char *const *)file->start->hold;
+    status = done(b, "start", maggi_builder_start(b->builder, &start));
+  }
   return status;
 }
 
-maggi_status maggi_load_build(const load_error *e, const char *bytes, size_t n,
-                              const load_model *file, maggi_model **model)
+maggi_status maggi_load_build(const load_files *files, maggi_model **model)
 {
-  load_build b = {.error = e, .bytes = bytes, .n = n};
+  const load_model *file = &files->all;
+  load_build b = {.files = files};
   maggi_status status;
 
+  at_source(&b, &files->source[0]);
   status = done(&b, "name", maggi_builder_create(file->name, &b.builder));
   if (status == MAGGI_OK) status = add_head(&b, file);
   if (status == MAGGI_OK) status = add_entries(&b, file);

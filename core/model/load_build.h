@@ -6,8 +6,9 @@
 
 /* The builder, and the entry at work: list "bodies", number 3, name "crank". */
 typedef struct load_build {
-  const load_error *error;
-  const char *bytes; /* of the file (n), for maggi_load_line */
+  const load_files *files;
+  const load_error *error; /* of the file that has the entry */
+  const char *bytes;       /* of that file (n), for maggi_load_line */
   size_t n;
   maggi_builder *builder;
   const char *list;
@@ -49,6 +50,7 @@ void maggi_load_copy3(double to[3], const double *from);
 char *maggi_load_path(const load_build *b, const char *file);
 
 /* Add an entry of the file. */
+maggi_status maggi_load_set(const load_build *b, const load_set *set);
 maggi_status maggi_load_body(const load_build *b, const load_body *body);
 maggi_status maggi_load_loop(const load_build *b, const load_loop *loop);
 maggi_status maggi_load_rod(const load_build *b, const load_rod *rod);

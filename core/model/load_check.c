@@ -138,6 +138,8 @@ static maggi_status check_scalar(check *c, const yaml_event_t *event,
     if (!maggi_load_is_decimal(text)) return fail_quoting(c, line, text, "is not a number");
     if (!isfinite(strtod(text, NULL))) return fail_quoting(c, line, text, "is too large");
   }
+  if (schema->type == CYAML_BOOL && strcmp(text, "true") != 0 && strcmp(text, "false") != 0)
+    return fail_quoting(c, line, text, "is neither true nor false");
   if (strcmp(c->path, "format") == 0 && strcmp(text, MAGGI_LOAD_FORMAT) != 0)
     return fail_quoting(c, line, text, "is not \"" MAGGI_LOAD_FORMAT "\"");
   if (strcmp(c->path, "version") == 0 && strcmp(text, MAGGI_LOAD_VERSION) != 0)
@@ -262,6 +264,8 @@ static const char *kind_of(const cyaml_schema_value_t *schema)
   switch (schema->type) {
   case CYAML_FLOAT:
     return "a number";
+  case CYAML_BOOL:
+    return "true or false";
   case CYAML_MAPPING:
     return "a mapping (key: value)";
   case CYAML_SEQUENCE:

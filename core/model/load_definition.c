@@ -1,4 +1,4 @@
-/* Entries of `objectives` and `design`. */
+/* Entries of `objectives`, `design` and `set`. */
 #include "load_build.h"
 
 #include <stdio.h>
@@ -13,7 +13,13 @@ static const char *objective_word(int i)
   return maggi_objective_type_name((maggi_objective_type)i);
 }
 
+static const char *reference_word(int i)
+{
+  return maggi_reference_type_name((maggi_reference_type)i);
+}
+
 static const load_words objective_words = {objective_word, maggi_objective_type_find};
+static const load_words reference_words = {reference_word, maggi_reference_type_find};
 
 /* --------------------------------------------------------------------------------------- records */
 
@@ -51,37 +57,50 @@ static maggi_status check_points(const load_build *b, const load_objective *o)
 
 /* ------------------------------------------------------------------------------------ objectives */
 
-/* signal, target, sharpness, times, values, file, column, terms, weights */
+/* signal, target, sharpness, times, values, file, column, terms, weights, reference, from, to, against */
 static const char *rule_of(int type)
 {
   switch (type) {
   case MAGGI_OBJECTIVE_SMOOTH_MAXIMUM:
-    return "ror";
+    return "ror-------oo";
   case MAGGI_OBJECTIVE_VALUE:
     return "ro-r";
   case MAGGI_OBJECTIVE_LEAST_SQUARES:
     return "ro-oooo";
   case MAGGI_OBJECTIVE_SUM:
     return "-------ro";
+  case MAGGI_OBJECTIVE_MAXIMUM:
+  case MAGGI_OBJECTIVE_MINIMUM:
+  case MAGGI_OBJECTIVE_PEAK:
+  case MAGGI_OBJECTIVE_VIOLATION:
+    return "ro--------oo";
+  case MAGGI_OBJECTIVE_TERMINAL:
+    return "ro---------o";
+  case MAGGI_OBJECTIVE_SLOPE:
+    return "r---------oor";
   default:
-    return "ro";
+    return "ro-------ooo";
   }
 }
 
 maggi_status maggi_load_objective(const load_build *b, const load_objective *o)
 {
-  const load_key keys[] = {
-      {KEY(o, signal)}, {KEY(o, target)}, {KEY(o, sharpness)}, {KEY(o, times)},   {KEY(o, values)},
-      {KEY(o, file)},   {KEY(o, column)}, {KEY(o, terms)},     {KEY(o, weights)}, {NULL, 0}};
+  const load_key keys[] = {{KEY(o, signal)},    {KEY(o, target)}, {KEY(o, sharpness)},
+                           {KEY(o, times)},     {KEY(o, values)}, {KEY(o, file)},
+                           {KEY(o, column)},    {KEY(o, terms)},  {KEY(o, weights)},
+                           {KEY(o, reference)}, {KEY(o, from)},   {KEY(o, to)},
+                           {KEY(o, against)},   {NULL, 0}};
   load_record record = {0};
   maggi_objective_def def;
-  int type;
+  int type, reference = MAGGI_REFERENCE_NONE;
   maggi_status status;
 
   maggi_objective_def_init(&def);
   status = maggi_load_word(b, ".type", o->type, &objective_words, &type);
   if (status == MAGGI_OK) status = maggi_load_keys(b, "", o->type, rule_of(type), keys);
   if (status == MAGGI_OK && type == MAGGI_OBJECTIVE_LEAST_SQUARES) status = check_points(b, o);
+  if (status == MAGGI_OK && o->reference)
+    status = maggi_load_word(b, ".reference", o->reference, &reference_words, &reference);
   if (status) return status;
   if (o->weights && o->weights_count != o->terms_count)
     return maggi_load_fail_at(b, ".weights", "%u weights for %u terms", o->weights_count,
@@ -91,6 +110,10 @@ maggi_status maggi_load_objective(const load_build *b, const load_objective *o)
   def.signal = o->signal;
   if (o->target) def.target = *o->target;
   if (o->sharpness) def.sharpness = *o->sharpness;
+  if (o->from) def.from = *o->from;
+  if (o->to) def.to = *o->to;
+  def.reference = (maggi_reference_type)reference;
+  def.against = o->against;
   def.number = (int)o->times_count;
   def.times = o->times;
   def.values = o->values;
@@ -128,4 +151,9 @@ maggi_status maggi_load_design(const load_build *b, const load_design *g)
   if (g->lower) def.lower = *g->lower;
   if (g->upper) def.upper = *g->upper;
   return maggi_load_added(b, "", maggi_builder_design(b->builder, &def));
+}
+
+maggi_status maggi_load_set(const load_build *b, const load_set *set)
+{
+  return maggi_load_added(b, "", maggi_builder_set(b->builder, set->name, set->value));
 }

@@ -144,15 +144,21 @@ maggi_status maggi_load_joint_spring(const load_build *b, const load_joint_sprin
 
 maggi_status maggi_load_force(const load_build *b, const load_force *force)
 {
-  /* body, reaction, point, value; coordinate, effort; density, coefficient, area, low_speed, wind */
+  /* body, reaction, point, value; coordinate, effort; density, coefficient, area, low_speed, wind;
+   * coordinates, speed, gain, torque */
   static const char *const rules[MAGGI_FORCE_TYPE_COUNT] = {
-      [MAGGI_FORCE_GLOBAL] = "rorr",  [MAGGI_FORCE_BODY] = "rorr",
-      [MAGGI_TORQUE_GLOBAL] = "ro-r", [MAGGI_TORQUE_BODY] = "ro-r",
-      [MAGGI_FORCE_JOINT] = "----rr", [MAGGI_FORCE_DRAG] = "ror---rrrro"};
-  const load_key keys[] = {{KEY(force, body)},      {KEY(force, reaction)},    {KEY(force, point)},
-                           {KEY(force, value)},     {KEY(force, coordinate)},  {KEY(force, effort)},
-                           {KEY(force, density)},   {KEY(force, coefficient)}, {KEY(force, area)},
-                           {KEY(force, low_speed)}, {KEY(force, wind)},        {NULL, 0}};
+      [MAGGI_FORCE_GLOBAL] = "rorr",           [MAGGI_FORCE_BODY] = "rorr",
+      [MAGGI_TORQUE_GLOBAL] = "ro-r",          [MAGGI_TORQUE_BODY] = "ro-r",
+      [MAGGI_FORCE_JOINT] = "----rr",          [MAGGI_FORCE_DRAG] = "ror---rrrro",
+      [MAGGI_FORCE_SPEED] = "r-r------r-rrrr", [MAGGI_FORCE_SPEED_LINEAR] = "r-r------r-rrrr"};
+  const load_key keys[] = {{KEY(force, body)},       {KEY(force, reaction)},
+                           {KEY(force, point)},      {KEY(force, value)},
+                           {KEY(force, coordinate)}, {KEY(force, effort)},
+                           {KEY(force, density)},    {KEY(force, coefficient)},
+                           {KEY(force, area)},       {KEY(force, low_speed)},
+                           {KEY(force, wind)},       {KEY(force, coordinates)},
+                           {KEY(force, speed)},      {KEY(force, gain)},
+                           {KEY(force, torque)},     {NULL, 0}};
   maggi_force_def def;
   int type;
   maggi_status status;
@@ -175,6 +181,11 @@ maggi_status maggi_load_force(const load_build *b, const load_force *force)
   def.area = number_or_zero(force->area);
   def.low_speed = number_or_zero(force->low_speed);
   maggi_load_copy3(def.wind, force->wind);
+  def.ncoordinate = (int)force->coordinates_count;
+  def.coordinates = (const char *const *)force->coordinates;
+  def.speed = number_or_zero(force->speed);
+  def.gain = number_or_zero(force->gain);
+  def.torque = number_or_zero(force->torque);
   return maggi_load_added(b, "", maggi_builder_force(b->builder, &def));
 }
 

@@ -3,6 +3,7 @@
  *   load.c         bytes of the file, message, order of the steps
  *   load_check.c   every key, type, length and number against the tables, with the line of an error
  *   load_schema.c  the tables of keys, for load_check.c and for libcyaml, which fills load_model
+ *   load_base.c    the file and those that it builds on as one load_model
  *   load_build.c   load_model -> maggi_builder -> maggi_model, with
  *   load_body.c    .. the bodies and
  *   load_element.c .. lists of the mechanism,
@@ -20,6 +21,7 @@
 #include "maggi/maggi.h"
 
 #include <cyaml/cyaml.h>
+#include <stdbool.h>
 
 /* Where a message goes: message is nmessage chars, or NULL. */
 typedef struct load_error {
@@ -29,7 +31,8 @@ typedef struct load_error {
 } load_error;
 
 /* What the keys hold.  A pointer is NULL when its key is absent; vectors are three numbers; a list
- * is followed by its count, as libcyaml wants it. */
+ * is followed by its count, as libcyaml wants it.  The first member of an entry of a list of the model is
+ * its name, for load_base.c. */
 
 typedef struct load_joint {
   char *type;
@@ -138,6 +141,9 @@ typedef struct load_force {
   double *value;
   double *effort;
   double *density, *coefficient, *area, *low_speed, *wind;
+  char **coordinates;
+  unsigned coordinates_count;
+  double *speed, *gain, *torque;
 } load_force;
 
 typedef struct load_tyre {
@@ -203,6 +209,10 @@ typedef struct load_objective {
   char *signal;
   double *target;
   double *sharpness;
+  char *reference;
+  double *from;
+  double *to;
+  char *against;
   double *times;
   unsigned times_count;
   double *values;
@@ -227,18 +237,34 @@ typedef struct load_design {
   char *unit;
 } load_design;
 
+typedef struct load_set {
+  char *name;
+  double value;
+} load_set;
+
 typedef struct load_simulation {
   double time;
   double step;
 } load_simulation;
+
+typedef struct load_start {
+  bool equilibrium;
+  bool rolling;
+  char **hold;
+  unsigned hold_count;
+} load_start;
 
 typedef struct load_model {
   char *format;
   int version;
   char *name;
   char *source;
+  char *base;
+  char **remove;
+  unsigned remove_count;
   double *gravity;
   load_simulation *simulation;
+  load_start *start;
   load_body *bodies;
   unsigned bodies_count;
   load_loop *loops;
@@ -265,7 +291,40 @@ typedef struct load_model {
   unsigned objectives_count;
   load_design *design;
   unsigned design_count;
+  load_set *set;
+  unsigned set_count;
 } load_model;
+
+/* A file that was read. */
+typedef struct load_source {
+  load_error error;  /* with its name */
+  const char *bytes; /* its text (n) */
+  size_t n;
+  load_model *file; /* what its keys hold */
+  char *path;       /* its name and its text where they were made here, of a base */
+  char *owned;
+} load_source;
+
+/* Where an entry comes from: files->source[source], list[number]. */
+typedef struct load_origin {
+  int source;
+  unsigned number;
+} load_origin;
+
+enum {
+  MAGGI_LOAD_FILES = 16,   /* the most that build on each other */
+  MAGGI_LOAD_KEYS_MAX = 32 /* of the model file */
+};
+
+/* The model file, its base, the base of that, .., and all of them as one model, whose lists are its own
+ * and whose entries are those of the sources. */
+typedef struct load_files {
+  load_source source[MAGGI_LOAD_FILES];
+  int number;
+  load_model all;
+  load_origin
+      *origin[MAGGI_LOAD_KEYS_MAX]; /* of the entries of each list, in the order of the keys */
+} load_files;
 
 #define MAGGI_LOAD_FORMAT  "maggi" /* of the key `format`, the first of a file */
 #define MAGGI_LOAD_VERSION "1"     /* of the key `version`, the second         */
@@ -302,8 +361,26 @@ maggi_status maggi_load_tir(const load_error *e, const char *bytes, size_t n, ma
  * which exists, at least 1. */
 size_t maggi_load_line(const char *bytes, size_t n, const char *path);
 
+/* Check the text of a source and read it; maggi_load_parse_free in any case. */
+maggi_status maggi_load_parse(load_source *source);
+void maggi_load_parse_free(load_source *source);
+
+/* Read source[0], whose text is there (number = 1), and all that it builds on;
+ * maggi_load_files_free in any case. */
+maggi_status maggi_load_files(load_files *files);
+void maggi_load_files_free(load_files *files);
+
+/* Source of the entry all.LIST[i] and its number there. */
+const load_source *maggi_load_entry_source(const load_files *files, const char *list, unsigned i,
+                                           unsigned *number);
+/* Source of what a text such as `bodies.crank: axis is zero` or `gravity: ..` begins with; otherwise
+ * the model file. */
+const load_source *maggi_load_text_source(const load_files *files, const char *text);
+
+/* A path that is said in the file `from`, which begins where that is; NULL without memory, to free. */
+char *maggi_load_relative(const char *from, const char *file);
+
 /* Build the model; status as maggi_model_create. */
-maggi_status maggi_load_build(const load_error *e, const char *bytes, size_t n,
-                              const load_model *file, maggi_model **model);
+maggi_status maggi_load_build(const load_files *files, maggi_model **model);
 
 #endif

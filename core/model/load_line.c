@@ -17,6 +17,20 @@ static int scalar_is(yaml_document_t *doc, int id, const char *text, size_t ntex
          memcmp(node->data.scalar.value, text, ntext) == 0;
 }
 
+/* Whether a path begins with the text of a scalar and a part of it ends there; its length. */
+static int begins_with(yaml_document_t *doc, int id, const char *path, size_t *n)
+{
+  const yaml_node_t *node = yaml_document_get_node(doc, id);
+  size_t length;
+
+  if (!node || node->type != YAML_SCALAR_NODE || node->data.scalar.length == 0) return 0;
+  length = node->data.scalar.length;
+  if (strncmp(path, (const char *)node->data.scalar.value, length) != 0) return 0;
+  if (path[length] != '.' && path[length] != '[' && path[length] != '\0') return 0;
+  *n = length;
+  return 1;
+}
+
 /* Pair of a mapping with this key, or NULL. */
 static const yaml_node_pair_t *find_pair(yaml_document_t *doc, const yaml_node_t *mapping,
                                          const char *key, size_t nkey)
@@ -29,9 +43,10 @@ static const yaml_node_pair_t *find_pair(yaml_document_t *doc, const yaml_node_t
   return NULL;
 }
 
-/* Entry of a list by its number (a part "3" of the path, from [3]) or by its name. */
+/* Entry of a list by its number (a part "3" of the path, from [3]) or by its name, which may have points
+ * and is then longer than the part. */
 static const yaml_node_t *find_entry(yaml_document_t *doc, const yaml_node_t *list,
-                                     const char *part, size_t npart, int by_number)
+                                     const char *part, size_t *npart, int by_number)
 {
   const yaml_node_item_t *item;
   const yaml_node_t *entry;
@@ -44,7 +59,8 @@ static const yaml_node_t *find_entry(yaml_document_t *doc, const yaml_node_t *li
       if (number-- == 0) return entry;
     } else {
       name = find_pair(doc, entry, "name", 4);
-      if (name && scalar_is(doc, name->value, part, npart)) return entry;
+      if (!name || !begins_with(doc, name->value, part, npart)) continue;
+      return entry;
     }
   }
   return NULL;
@@ -68,7 +84,7 @@ static size_t find_line(yaml_document_t *doc, const char *path)
       line = yaml_document_get_node(doc, pair->key)->start_mark.line;
       node = yaml_document_get_node(doc, pair->value);
     } else if (node->type == YAML_SEQUENCE_NODE) {
-      node = find_entry(doc, node, path, npart, by_number);
+      node = find_entry(doc, node, path, &npart, by_number);
       if (!node) break;
       line = node->start_mark.line;
     } else {

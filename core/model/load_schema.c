@@ -119,21 +119,26 @@ static const cyaml_schema_field_t joint_spring_keys[] = {TEXT(load_joint_spring,
 static const cyaml_schema_value_t joint_spring = {
     CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, load_joint_spring, joint_spring_keys)};
 
-static const cyaml_schema_field_t force_keys[] = {TEXT(load_force, name),
-                                                  TEXT(load_force, type),
-                                                  OPT_TEXT(load_force, body),
-                                                  OPT_TEXT(load_force, reaction),
-                                                  OPT_TEXT(load_force, coordinate),
-                                                  OPT_TEXT(load_force, function),
-                                                  OPT_VEC3(load_force, point),
-                                                  OPT_VEC3(load_force, value),
-                                                  OPT_REAL(load_force, effort),
-                                                  OPT_REAL(load_force, density),
-                                                  OPT_REAL(load_force, coefficient),
-                                                  OPT_REAL(load_force, area),
-                                                  OPT_REAL(load_force, low_speed),
-                                                  OPT_VEC3(load_force, wind),
-                                                  CYAML_FIELD_END};
+static const cyaml_schema_field_t force_keys[] = {
+    TEXT(load_force, name),
+    TEXT(load_force, type),
+    OPT_TEXT(load_force, body),
+    OPT_TEXT(load_force, reaction),
+    OPT_TEXT(load_force, coordinate),
+    OPT_TEXT(load_force, function),
+    OPT_VEC3(load_force, point),
+    OPT_VEC3(load_force, value),
+    OPT_REAL(load_force, effort),
+    OPT_REAL(load_force, density),
+    OPT_REAL(load_force, coefficient),
+    OPT_REAL(load_force, area),
+    OPT_REAL(load_force, low_speed),
+    OPT_VEC3(load_force, wind),
+    LIST(load_force, coordinates, text, 1, ANY_NUMBER),
+    OPT_REAL(load_force, speed),
+    OPT_REAL(load_force, gain),
+    OPT_REAL(load_force, torque),
+    CYAML_FIELD_END};
 static const cyaml_schema_value_t force = {
     CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, load_force, force_keys)};
 
@@ -199,6 +204,10 @@ static const cyaml_schema_field_t objective_keys[] = {
     OPT_TEXT(load_objective, signal),
     OPT_REAL(load_objective, target),
     OPT_REAL(load_objective, sharpness),
+    OPT_TEXT(load_objective, reference),
+    OPT_REAL(load_objective, from),
+    OPT_REAL(load_objective, to),
+    OPT_TEXT(load_objective, against),
     LIST(load_objective, times, real, 1, ANY_NUMBER),
     LIST(load_objective, values, real, 1, ANY_NUMBER),
     OPT_TEXT(load_objective, file),
@@ -222,17 +231,30 @@ static const cyaml_schema_field_t design_keys[] = {
 static const cyaml_schema_value_t design = {
     CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, load_design, design_keys)};
 
+static const cyaml_schema_field_t set_keys[] = {TEXT(load_set, name), REAL(load_set, value),
+                                                CYAML_FIELD_END};
+static const cyaml_schema_value_t set = {
+    CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, load_set, set_keys)};
+
 static const cyaml_schema_field_t simulation_keys[] = {
     ZERO(load_simulation, time), ZERO(load_simulation, step), CYAML_FIELD_END};
+
+static const cyaml_schema_field_t start_keys[] = {
+    CYAML_FIELD_BOOL("equilibrium", CYAML_FLAG_OPTIONAL, load_start, equilibrium),
+    LIST(load_start, hold, text, 0, ANY_NUMBER),
+    CYAML_FIELD_BOOL("rolling", CYAML_FLAG_OPTIONAL, load_start, rolling), CYAML_FIELD_END};
 
 static const cyaml_schema_field_t model_keys[] = {
     TEXT(load_model, format), /* these two come first in a file too, see load_check.c */
     CYAML_FIELD_INT("version", CYAML_FLAG_DEFAULT, load_model, version),
     TEXT(load_model, name),
     OPT_TEXT(load_model, source),
+    OPT_TEXT(load_model, base),
+    LIST(load_model, remove, text, 1, ANY_NUMBER),
     OPT_VEC3(load_model, gravity),
     CYAML_FIELD_MAPPING_PTR("simulation", OPTIONAL_POINTER, load_model, simulation,
                             simulation_keys),
+    CYAML_FIELD_MAPPING_PTR("start", OPTIONAL_POINTER, load_model, start, start_keys),
     MANY(load_model, bodies, body),
     MANY(load_model, loops, loop),
     MANY(load_model, rods, rod),
@@ -246,7 +268,11 @@ static const cyaml_schema_field_t model_keys[] = {
     MANY(load_model, sensors, sensor),
     MANY(load_model, objectives, objective),
     MANY(load_model, design, design),
+    MANY(load_model, set, set),
     CYAML_FIELD_END};
+
+_Static_assert(sizeof model_keys / sizeof *model_keys <= MAGGI_LOAD_KEYS_MAX + 1,
+               "MAGGI_LOAD_KEYS_MAX");
 
 const cyaml_schema_value_t maggi_load_schema = {
     CYAML_VALUE_MAPPING(CYAML_FLAG_POINTER, load_model, model_keys)};

@@ -40,6 +40,7 @@ typedef struct maggi_model_coordinate {
   int q; /* internal number */
   int is_angle;
   int guided;
+  const char *motion; /* function that guides it, or NULL */
 } maggi_model_coordinate;
 
 typedef struct maggi_model_loop {
@@ -47,6 +48,12 @@ typedef struct maggi_model_loop {
   const char *kind;
   int row, rows;
 } maggi_model_loop;
+
+/* a road or a function */
+typedef struct maggi_model_kind {
+  const char *name;
+  const char *type;
+} maggi_model_kind;
 
 struct maggi_model {
   maggi_arena arena;
@@ -74,10 +81,20 @@ struct maggi_model {
   int nsignal;
   const char **signalname;
   const char **signalunit;
+  int rolling;       /* whether wheels start with the spin at which they roll */
+  int nhold, *hold;  /* coordinates held while the others find equilibrium */
+  maggi_model *twin; /* static twin, NULL: initial positions are those of p */
   int nobjective;
   maggi_objective_def *objective;
   int ndesign;
   maggi_design_def *design;
+  maggi_sensor_def *sensor; /* (topo.nsensor) */
+  int nwheel;
+  maggi_wheel_def *wheel;
+  int nroad;
+  maggi_model_kind *road;
+  int nfunction;
+  maggi_model_kind *function;
 };
 
 /* what a signal is, and which one */

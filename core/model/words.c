@@ -7,8 +7,9 @@ static const char *const joint_words[] = {"revolute", "prismatic", "cylindrical"
                                           "planar",   "spherical", "free",        "fixed"};
 static const char *const loop_words[] = {"spherical", "revolute", "universal", "cylindrical",
                                          "prismatic"};
-static const char *const force_words[] = {"force",       "force_body", "torque",
-                                          "torque_body", "joint",      "drag"};
+static const char *const force_words[] = {
+    "force", "force_body", "torque",           "torque_body",
+    "joint", "drag",       "speed_controller", "speed_controller_linear"};
 static const char *const function_words[] = {"constant", "polynomial", "sine",
                                              "step",     "knots",      "spline"};
 static const char *const sensor_words[] = {"position",
@@ -27,10 +28,25 @@ static const char *const sensor_words[] = {"position",
                                            "tyre_contact",
                                            "tyre_slope"};
 static const char *const road_words[] = {"flat", "sine", "bumps", "profile"};
-static const char *const objective_words[] = {
-    "integral", "integral_square", "mean", "mean_square",    "rms",   "rmq",      "vdv",
-    "maximum",  "minimum",         "peak", "smooth_maximum", "value", "terminal", "least_squares",
-    "sum"};
+static const char *const objective_words[] = {"integral",
+                                              "integral_square",
+                                              "mean",
+                                              "mean_square",
+                                              "rms",
+                                              "rmq",
+                                              "vdv",
+                                              "maximum",
+                                              "minimum",
+                                              "peak",
+                                              "smooth_maximum",
+                                              "value",
+                                              "terminal",
+                                              "least_squares",
+                                              "sum",
+                                              "norm",
+                                              "violation",
+                                              "slope"};
+static const char *const reference_words[] = {"none", "initial", "final"};
 static const int joint_dofs[] = {1, 1, 2, 2, 3, 3, 6, 0};
 
 static int find(const char *const words[], int n, const char *word)
@@ -59,6 +75,7 @@ WORDS(road, MAGGI_ROAD_TYPE_COUNT)
 WORDS(function, MAGGI_FUNCTION_TYPE_COUNT)
 WORDS(sensor, MAGGI_SENSOR_TYPE_COUNT)
 WORDS(objective, MAGGI_OBJECTIVE_TYPE_COUNT)
+WORDS(reference, MAGGI_REFERENCE_TYPE_COUNT)
 
 int maggi_joint_dof(maggi_joint_type type)
 {

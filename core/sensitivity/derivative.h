@@ -59,6 +59,7 @@
   X(roll, t->nwheel * 6)                                                                           \
   X(I, t->nbody * 10)                                                                              \
   X(Q, (t->nbody + 1) * 6)                                                                         \
+  X(speed, t->nspeed * 3)                                                                          \
   X(tau, t->nq)                                                                                    \
   X(lambda, t->nrow)                                                                               \
   X(Fr, (t->nbody + 1) * 6)                                                                        \

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "direct.h"
+#include "equilibrium.h"
 #include "results.h"
 
 enum { W = MAGGI_NDIR, ARRAYS = 3 * MAGGI_PLACES + 2 };
@@ -142,8 +143,9 @@ static void start_strip(maggi_direct *s)
   const maggi_companion *x = &s->D->strip;
   int i;
 
+  if (s->d->equilibrium) maggi_equilibrium_strip(s->d->equilibrium, x, x->q);
   for (i = 0; i < s->d->t.nq; ++i) {
-    start_row(x->p, maggi_initial_position(s->d, i), x->q + i * W);
+    if (!s->d->equilibrium) start_row(x->p, maggi_initial_position(s->d, i), x->q + i * W);
     start_row(x->p, s->d->m->initial_velocity[i], x->v + i * W);
   }
 }

@@ -67,8 +67,11 @@ void maggi_strip_given(maggi_derivative *D, unsigned need)
   point_velocities(D, s);
   if (t->nwheel > 0) wheel_forces(D, s);
   body_inertias(D, s);
-  if (need & MAGGI_RESULT_FORCE) {
+  if (need & (MAGGI_RESULT_FORCE | MAGGI_RESULT_SENSOR)) {
     element_forces(D, s);
+    control_forces(D, s);
+  }
+  if (need & MAGGI_RESULT_FORCE) {
     if (t->ndep > 0) given_multipliers(D, s);
   }
   results(D, s, need);

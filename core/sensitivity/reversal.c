@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "equilibrium.h"
 #include "results.h"
 
 static size_t bytes(const maggi_data *d)
@@ -192,6 +193,10 @@ static void start_lane(maggi_reversal *r, maggi_lane *x)
   maggi_reversal_choose(r, x, d->zero, d->zero);
   memcpy(s->q, x->q, bytes(d));
   maggi_adjoint_closure(r->D);
+  if (d->equilibrium) {
+    maggi_equilibrium_adjoint(d->equilibrium, s, s->q);
+    return;
+  }
   for (i = 0; i < d->t.nq; ++i) {
     adr = maggi_initial_position(d, i);
     if (adr >= 0 && maggi_is_independent(&d->t, i)) s->p[adr] += s->q[i];

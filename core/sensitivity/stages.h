@@ -49,6 +49,7 @@ STAGE(wheel_forces, WITH(p), WITH(spline0), WITH(A), WITH(Z), WITH(r), WITH(rv),
       WITH(grip), WITH(roll))
 STAGE(element_forces, WITH(p), WITH(fun), WITH(spring0), WITH(q), WITH(v), WITH(A), (void *)d->Z,
       WITH(r), WITH(rv), WITH(roll), WITH(Q), WITH(tau), D->power)
+STAGE(control_forces, WITH(p), WITH(fun), d->v, WITH(rv), WITH(speed), WITH(tau), D->power)
 STAGE(body_inertias, WITH(body0), WITH(A), WITH(x), WITH(I))
 STAGE(inertia_forces, WITH(I), WITH(Z), WITH(Za), WITH(Fr))
 STAGE(rod_forces, WITH(p), WITH(r), WITH(ra), WITH(Fr))

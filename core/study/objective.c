@@ -22,6 +22,14 @@ static const char *times(maggi_arena *arena, const char *unit, const char *facto
                             factor);
 }
 
+static const char *per(maggi_arena *arena, const char *unit, const char *other)
+{
+  if (!unit || strcmp(other, "-") == 0) return unit;
+  if (strcmp(unit, other) == 0) return "-";
+  if (strcmp(unit, "-") == 0) unit = "1";
+  return maggi_arena_format(arena, strpbrk(other, " /") ? "%s/(%s)" : "%s/%s", unit, other);
+}
+
 /* that of an objective of a signal with this unit; NULL without memory */
 static const char *unit_of(maggi_arena *arena, maggi_objective_type type, const char *unit)
 {
@@ -29,10 +37,13 @@ static const char *unit_of(maggi_arena *arena, maggi_objective_type type, const 
   case MAGGI_OBJECTIVE_INTEGRAL:
     return times(arena, unit, "s");
   case MAGGI_OBJECTIVE_INTEGRAL_SQUARE:
+  case MAGGI_OBJECTIVE_VIOLATION:
     return times(arena, square(arena, unit), "s");
   case MAGGI_OBJECTIVE_MEAN_SQUARE:
   case MAGGI_OBJECTIVE_LEAST_SQUARES:
     return square(arena, unit);
+  case MAGGI_OBJECTIVE_NORM:
+    return times(arena, unit, "s^(1/2)");
   case MAGGI_OBJECTIVE_VDV:
     return times(arena, unit, "s^(1/4)");
   default:
@@ -57,24 +68,33 @@ static int signals_of(const maggi_objective_def *d)
   return d->function ? d->nsignal : 1;
 }
 
+static maggi_status add_signal(maggi_objective *o, const maggi_objective_def *d, const char *name,
+                               int *slot, char *message, size_t n)
+{
+  int signal = maggi_signal_find(o->m, name);
+
+  if (signal < 0)
+    return maggi_message(MAGGI_E_NAME, message, n, "objective \"%s\": no signal \"%s\"", d->name,
+                         name);
+  *slot = slot_of(o, signal);
+  return MAGGI_OK;
+}
+
 static maggi_status add_signals(maggi_objective *o, maggi_summand *s, const maggi_objective_def *d,
                                 char *message, size_t n)
 {
-  const char *name;
-  int i, signal;
+  maggi_status status = MAGGI_OK;
+  int i;
 
   s->nsignal = signals_of(d);
   s->slot = maggi_arena_alloc(&o->arena, (size_t)s->nsignal * sizeof *s->slot);
   if (!s->slot) return maggi_message_memory(message, n);
-  for (i = 0; i < s->nsignal; ++i) {
-    name = d->function ? d->signals[i] : d->signal;
-    signal = maggi_signal_find(o->m, name);
-    if (signal < 0)
-      return maggi_message(MAGGI_E_NAME, message, n, "objective \"%s\": no signal \"%s\"", d->name,
-                           name);
-    s->slot[i] = slot_of(o, signal);
-  }
-  return MAGGI_OK;
+  for (i = 0; i < s->nsignal && status == MAGGI_OK; ++i)
+    status = add_signal(o, d, d->function ? d->signals[i] : d->signal, &s->slot[i], message, n);
+  s->against = s->slot[0];
+  if (status == MAGGI_OK && d->type == MAGGI_OBJECTIVE_SLOPE)
+    status = add_signal(o, d, d->against, &s->against, message, n);
+  return status;
 }
 
 static maggi_status add_summand(maggi_objective *o, const maggi_objective_def *def, double weight,
@@ -94,6 +114,9 @@ static maggi_status add_summand(maggi_objective *o, const maggi_objective_def *d
   s->term.type = d.type;
   s->term.target = d.target;
   s->term.sharpness = d.sharpness;
+  s->term.reference = d.reference;
+  s->term.from = d.from;
+  s->term.to = d.to;
   s->term.number = d.number;
   s->term.times = d.times;
   s->term.values = d.values;
@@ -102,7 +125,9 @@ static maggi_status add_summand(maggi_objective *o, const maggi_objective_def *d
   status = add_signals(o, s, &d, message, n);
   if (status != MAGGI_OK) return status;
   if (!d.function) unit = maggi_signal_unit(o->m, o->signal[s->slot[0]]);
-  unit = unit_of(&o->arena, d.type, unit);
+  unit = d.type == MAGGI_OBJECTIVE_SLOPE
+             ? per(&o->arena, unit, maggi_signal_unit(o->m, o->signal[s->against]))
+             : unit_of(&o->arena, d.type, unit);
   if (!unit) return maggi_message_memory(message, n);
   o->unit = !o->unit || strcmp(o->unit, unit) == 0 ? unit : "-"; /* of a sum: that of its terms */
   return MAGGI_OK;
@@ -141,7 +166,7 @@ static maggi_status fill(maggi_objective *o, const maggi_objective_def *def, cha
   if (!o->name || !list || !o->summand) return maggi_message_memory(message, n);
   status = find_summands(o, def, list, message, n);
   if (status != MAGGI_OK) return status;
-  for (i = 0; i < nsummand; ++i) signals += (size_t)signals_of(list[i]);
+  for (i = 0; i < nsummand; ++i) signals += (size_t)signals_of(list[i]) + 1;
   o->signal = maggi_arena_alloc(&o->arena, signals * sizeof *o->signal);
   o->arguments = maggi_arena_alloc(&o->arena, signals * sizeof *o->arguments);
   o->gradient = maggi_arena_alloc(&o->arena, signals * sizeof *o->gradient);
@@ -203,6 +228,7 @@ static maggi_status create_function(const maggi_model *m, const char *name,
          : t == MAGGI_OBJECTIVE_SMOOTH_MAXIMUM ? "a sharpness"
          : t == MAGGI_OBJECTIVE_VALUE          ? "times"
          : t == MAGGI_OBJECTIVE_LEAST_SQUARES  ? "a record"
+         : t == MAGGI_OBJECTIVE_SLOPE          ? "another signal"
                                                : NULL;
   if (t < 0) {
     status =

@@ -11,7 +11,8 @@ typedef struct maggi_summand {
   double weight;
   maggi_term term;
   int nsignal;
-  int *slot; /* (nsignal) among the signals of the objective */
+  int *slot;   /* (nsignal) among the signals of the objective */
+  int against; /* slot of the other signal of a slope; else one of them */
   maggi_signal_function function;
   void *context;
 } maggi_summand;

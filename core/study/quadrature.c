@@ -49,21 +49,32 @@ void maggi_nodes_at(const maggi_nodes *x, long interval, double u, maggi_local *
   value->n = n;
 }
 
-/* Adds the integral over one interval to the weights: Gauss-Legendre, exact for degree 5. */
-static void add_interval(const maggi_nodes *x, long interval, double *weight)
+/* Gauss-Legendre, exact for degree 5 */
+void maggi_nodes_integral(const maggi_nodes *x, long interval, double begin, double end,
+                          maggi_local *value)
 {
   static const double point[] = {0.11270166537925831, 0.5, 0.88729833462074169};
   static const double share[] = {5.0 / 18.0, 4.0 / 9.0, 5.0 / 18.0};
-  long first = maggi_nodes_first(x, interval);
-  double begin = maggi_nodes_position(x, first, interval);
-  double length = maggi_nodes_position(x, first, interval + 1) - begin;
-  maggi_local value;
+  double length = end - begin, weight[MAGGI_STENCIL] = {0.0};
   int i, j;
 
   for (i = 0; i < 3; ++i) {
-    maggi_nodes_at(x, interval, begin + point[i] * length, &value);
-    for (j = 0; j < value.n; ++j) weight[first + j] += share[i] * length * x->h * value.weight[j];
+    maggi_nodes_at(x, interval, begin + point[i] * length, value);
+    for (j = 0; j < value->n; ++j) weight[j] += share[i] * length * x->h * value->weight[j];
   }
+  for (j = 0; j < value->n; ++j) value->weight[j] = weight[j];
+}
+
+/* Adds the integral over one interval to the weights. */
+static void add_interval(const maggi_nodes *x, long interval, double *weight)
+{
+  long first = maggi_nodes_first(x, interval);
+  maggi_local value;
+  int j;
+
+  maggi_nodes_integral(x, interval, maggi_nodes_position(x, first, interval),
+                       maggi_nodes_position(x, first, interval + 1), &value);
+  for (j = 0; j < value.n; ++j) weight[first + j] += value.weight[j];
 }
 
 void maggi_nodes_init(maggi_nodes *x, const maggi_grid *grid)

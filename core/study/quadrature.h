@@ -36,7 +36,9 @@ long maggi_nodes_first(const maggi_nodes *x, long interval);           /* the fi
 double maggi_nodes_position(const maggi_nodes *x, long first, long i); /* from the first [h] */
 /* Interval of a time, and its position from the first node of the polynomial there [h]. */
 long maggi_nodes_find(const maggi_nodes *x, double t, double *u);
-/* The polynomial of an interval at such a position. */
+/* The polynomial of an interval at such a position; its integral from one to another [s]. */
 void maggi_nodes_at(const maggi_nodes *x, long interval, double u, maggi_local *value);
+void maggi_nodes_integral(const maggi_nodes *x, long interval, double begin, double end,
+                          maggi_local *value);
 
 #endif

@@ -3,6 +3,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "extremum.h"
@@ -17,6 +18,8 @@ static int power(maggi_objective_type type)
   case MAGGI_OBJECTIVE_INTEGRAL_SQUARE:
   case MAGGI_OBJECTIVE_MEAN_SQUARE:
   case MAGGI_OBJECTIVE_RMS:
+  case MAGGI_OBJECTIVE_NORM:
+  case MAGGI_OBJECTIVE_VIOLATION:
     return 2;
   case MAGGI_OBJECTIVE_RMQ:
   case MAGGI_OBJECTIVE_VDV:
@@ -35,7 +38,8 @@ static int is_mean(maggi_objective_type type)
 
 static int is_root(maggi_objective_type type)
 {
-  return type == MAGGI_OBJECTIVE_RMS || type == MAGGI_OBJECTIVE_RMQ || type == MAGGI_OBJECTIVE_VDV;
+  return type == MAGGI_OBJECTIVE_RMS || type == MAGGI_OBJECTIVE_NORM ||
+         type == MAGGI_OBJECTIVE_RMQ || type == MAGGI_OBJECTIVE_VDV;
 }
 
 static int is_extremum(maggi_objective_type type)
@@ -49,24 +53,46 @@ static int has_times(maggi_objective_type type)
   return type == MAGGI_OBJECTIVE_VALUE || type == MAGGI_OBJECTIVE_LEAST_SQUARES;
 }
 
+/* the polynomial at that end of the window where its value counts, or NULL */
+static const maggi_local *end_of(const maggi_term *f)
+{
+  if (f->reference == MAGGI_REFERENCE_INITIAL) return &f->window.initial;
+  if (f->reference == MAGGI_REFERENCE_FINAL || f->type == MAGGI_OBJECTIVE_TERMINAL)
+    return &f->window.final;
+  return NULL;
+}
+
 /* weight of a node in the integral or the mean; the mean over no time is the sample */
 static double node_weight(const maggi_term *f, long i)
 {
-  if (!is_mean(f->type)) return maggi_nodes_weight(&f->nodes, i);
-  return f->time > 0.0 ? maggi_nodes_weight(&f->nodes, i) / f->time : 1.0;
+  double weight = maggi_window_weight(&f->window, &f->nodes, i);
+
+  if (!is_mean(f->type)) return weight;
+  return f->window.length > 0.0 ? weight / f->window.length : 1.0;
 }
 
-int maggi_term_reached(const maggi_term *f, const maggi_grid *grid)
+int maggi_term_reached(const maggi_term *f, const maggi_grid *grid, char *text, size_t n)
 {
-  return f->number == 0 || f->times[f->number - 1] <= grid->time * (1.0 + 4.0 * DBL_EPSILON);
+  double last = f->number > 0 ? f->times[f->number - 1] : isnan(f->to) ? 0.0 : f->to;
+
+  if (last > grid->time * (1.0 + 4.0 * DBL_EPSILON))
+    snprintf(text, n, "the simulation ends at %g s, before %g s", grid->time, last);
+  else if (f->from >= grid->time)
+    snprintf(text, n, "the simulation ends at %g s, its window begins at %g s", grid->time,
+             f->from);
+  else
+    return 1;
+  return 0;
 }
 
 void maggi_term_begin(maggi_term *f, const maggi_grid *grid)
 {
   maggi_nodes_init(&f->nodes, grid);
-  f->steps = grid->steps;
-  f->time = grid->time;
-  f->sum = 0.0;
+  maggi_window_init(&f->window, &f->nodes, grid, f->from, f->to);
+  maggi_slope_begin(&f->slope);
+  memset(f->moment, 0, sizeof f->moment);
+  f->origin = f->reference == MAGGI_REFERENCE_NONE ? f->target : NAN;
+  f->at = f->pull = f->sum = 0.0;
   f->top = -INFINITY;
   f->next = 0;
   f->sign = 0.0;
@@ -101,20 +127,22 @@ static int is_high(const double *s, int n, int j)
   return (j == 0 || s[j] >= s[j - 1]) && (j == n - 1 || s[j] >= s[j + 1]);
 }
 
-/* looks for a maximum of sign s beside nodes that are one */
+/* looks for a maximum of sign s in an interval, between nodes only beside one that is high */
 static void search(maggi_term *f, long interval, double sign)
 {
   long first = maggi_nodes_first(&f->nodes, interval);
   int n = maggi_nodes_stencil(&f->nodes), begin = (int)(interval - first), end, j;
-  double u[MAGGI_STENCIL], s[MAGGI_STENCIL], top, where;
+  double u[MAGGI_STENCIL], s[MAGGI_STENCIL], top, where, from, to;
 
+  if (!maggi_window_part(&f->window, &f->nodes, interval, &from, &to)) return;
   end = begin < n - 1 ? begin + 1 : begin;
   for (j = 0; j < n; ++j) {
     u[j] = maggi_nodes_position(&f->nodes, first, first + j);
     s[j] = sign * (f->recent[j] - f->target);
   }
-  if (!is_high(s, n, begin) && !is_high(s, n, end)) return;
-  top = maggi_local_maximum(n, u, s, u[begin], u[end], &where);
+  if (!maggi_window_edge(&f->window, interval) && !is_high(s, n, begin) && !is_high(s, n, end))
+    return;
+  top = maggi_local_maximum(n, u, s, from, to, &where);
   if (f->sign != 0.0 && !(top > f->value)) return;
   f->value = top;
   f->sign = sign;
@@ -123,11 +151,16 @@ static void search(maggi_term *f, long interval, double sign)
 
 static void take_interval(maggi_term *f, long interval)
 {
+  const maggi_local *end = end_of(f);
+  int j;
+
   if (has_times(f->type)) read_times(f, interval);
   if (f->type == MAGGI_OBJECTIVE_MAXIMUM || f->type == MAGGI_OBJECTIVE_PEAK)
     search(f, interval, 1.0);
   if (f->type == MAGGI_OBJECTIVE_MINIMUM || f->type == MAGGI_OBJECTIVE_PEAK)
     search(f, interval, -1.0);
+  if (end && interval == (end == &f->window.initial ? f->window.first : f->window.last))
+    for (j = 0; j < end->n; ++j) f->at += end->weight[j] * f->recent[j];
 }
 
 /* keeps the last nodes, and takes the intervals whose polynomial goes through them */
@@ -146,51 +179,98 @@ static void take_node(maggi_term *f, long i, double s)
 
 /* -------------------------------------------------------------------------------------- samples */
 
-void maggi_term_push(maggi_term *f, long k, double s)
+/* integrals of (s - origin)^j; with a reference, which is not yet known, of all j up to the power */
+static void add_moments(maggi_term *f, double weight, double s)
 {
-  double x = s - f->target;
-  long i = maggi_nodes_of(&f->nodes, k);
-  int degree = power(f->type);
+  double x, product = 1.0;
+  int j, n = power(f->type);
 
-  if (f->type == MAGGI_OBJECTIVE_TERMINAL && k == f->steps) f->value = x;
+  if (isnan(f->origin)) f->origin = s;
+  x = s - f->origin;
+  if (f->type == MAGGI_OBJECTIVE_VIOLATION && x < 0.0) x = 0.0;
+  for (j = 0; j <= n; ++j) {
+    if (j == n || f->reference != MAGGI_REFERENCE_NONE) f->moment[j] += weight * product;
+    product *= x;
+  }
+}
+
+void maggi_term_push(maggi_term *f, long k, double s, double r)
+{
+  double x = s - f->target, weight;
+  long i = maggi_nodes_of(&f->nodes, k);
+
   if (i < 0) return;
-  if (is_extremum(f->type) || has_times(f->type)) take_node(f, i, s);
-  if (degree > 0)
-    f->sum += node_weight(f, i) * (degree == 1 ? x : degree == 2 ? x * x : x * x * x * x);
+  if (is_extremum(f->type) || has_times(f->type) || end_of(f)) take_node(f, i, s);
+  weight = node_weight(f, i);
+  if (weight == 0.0) return;
+  if (power(f->type) > 0) add_moments(f, weight, s);
+  if (f->type == MAGGI_OBJECTIVE_SLOPE) maggi_slope_push(&f->slope, weight, s, r);
   if (f->type == MAGGI_OBJECTIVE_SMOOTH_MAXIMUM) {
     if (x > f->top) { /* relative to it, so that nothing overflows */
       f->sum *= exp(f->sharpness * (f->top - x));
       f->top = x;
     }
-    f->sum += node_weight(f, i) * exp(f->sharpness * (x - f->top));
+    f->sum += weight * exp(f->sharpness * (x - f->top));
   }
+}
+
+/* sum of binomial(n, j) (-shift)^(n - j) moment j: the integral of (s - origin - shift)^n */
+static double shifted(const maggi_term *f, int n, double shift)
+{
+  double sum = 0.0, binomial = 1.0, product = 1.0;
+  int j;
+
+  for (j = n; j >= 0; --j) {
+    sum += binomial * product * f->moment[j];
+    product *= -shift;
+    binomial *= (double)j / (n - j + 1);
+  }
+  return sum;
+}
+
+/* the integral, and what it loses when the reference grows */
+static void end_integral(maggi_term *f)
+{
+  int n = power(f->type);
+  double shift = 0.0;
+
+  if (f->reference != MAGGI_REFERENCE_NONE) {
+    shift = f->at + f->target - f->origin;
+    f->origin += shift;
+  }
+  f->value = shifted(f, n, shift);
+  f->pull = n * shifted(f, n - 1, shift);
+  if (!is_root(f->type)) return;
+  f->value = n == 2 ? sqrt(f->value) : sqrt(sqrt(f->value));
+  f->pull /= n * pow(f->value, n - 1);
 }
 
 void maggi_term_end(maggi_term *f)
 {
   switch (f->type) {
-  case MAGGI_OBJECTIVE_RMS:
-    f->value = sqrt(f->sum);
-    break;
-  case MAGGI_OBJECTIVE_RMQ:
-  case MAGGI_OBJECTIVE_VDV:
-    f->value = sqrt(sqrt(f->sum));
-    break;
   case MAGGI_OBJECTIVE_SMOOTH_MAXIMUM:
     f->value = f->top + log(f->sum) / f->sharpness;
     break;
   case MAGGI_OBJECTIVE_LEAST_SQUARES:
     f->value = f->sum / f->number;
     break;
+  case MAGGI_OBJECTIVE_VALUE:
+    f->value = f->sum;
+    break;
   case MAGGI_OBJECTIVE_MINIMUM:
     f->value = -f->value;
     break;
   case MAGGI_OBJECTIVE_MAXIMUM:
   case MAGGI_OBJECTIVE_PEAK:
+    break;
   case MAGGI_OBJECTIVE_TERMINAL:
+    f->value = f->at - f->target;
+    break;
+  case MAGGI_OBJECTIVE_SLOPE:
+    f->value = maggi_slope_end(&f->slope);
     break;
   default:
-    f->value = f->sum;
+    end_integral(f);
   }
 }
 
@@ -231,32 +311,54 @@ static double times_weight(const maggi_term *f, long i)
   return sum;
 }
 
-double maggi_term_weight(const maggi_term *f, long k, double s)
+/* by sample s at node i of an integral, whose origin is that of the end */
+static double integral_weight(const maggi_term *f, long i, double s)
 {
-  double x = s - f->target, part = x / f->value;
-  long i = maggi_nodes_of(&f->nodes, k), j = i - f->best.first;
+  const maggi_local *end = end_of(f);
+  double x = s - f->origin, by, part = x / f->value;
 
-  if (f->type == MAGGI_OBJECTIVE_TERMINAL) return k == f->steps ? 1.0 : 0.0;
-  if (i < 0) return 0.0;
-  if (is_extremum(f->type)) {
-    if (j < 0 || j >= f->best.n) return 0.0;
-    return (f->type == MAGGI_OBJECTIVE_PEAK ? f->sign : 1.0) * f->best.weight[j];
-  }
+  if (f->type == MAGGI_OBJECTIVE_VIOLATION && x < 0.0) x = 0.0;
   switch (f->type) {
   case MAGGI_OBJECTIVE_INTEGRAL:
   case MAGGI_OBJECTIVE_MEAN:
-    return node_weight(f, i);
-  case MAGGI_OBJECTIVE_INTEGRAL_SQUARE:
-  case MAGGI_OBJECTIVE_MEAN_SQUARE:
-    return node_weight(f, i) * 2.0 * x;
+    by = 1.0;
+    break;
   case MAGGI_OBJECTIVE_RMS:
-    return node_weight(f, i) * part;
+  case MAGGI_OBJECTIVE_NORM:
+    by = part;
+    break;
   case MAGGI_OBJECTIVE_RMQ:
   case MAGGI_OBJECTIVE_VDV:
-    return node_weight(f, i) * part * part * part;
+    by = part * part * part;
+    break;
+  default: /* a square */
+    by = 2.0 * x;
+  }
+  by *= node_weight(f, i);
+  return end ? by - f->pull * maggi_local_weight(end, i) : by;
+}
+
+double maggi_term_weight(const maggi_term *f, long k, double s, double r, double *by_r)
+{
+  long i = maggi_nodes_of(&f->nodes, k);
+  double by_s = 0.0;
+
+  if (f->type == MAGGI_OBJECTIVE_SLOPE) *by_r = 0.0;
+  if (i < 0) return 0.0;
+  if (is_extremum(f->type))
+    return (f->type == MAGGI_OBJECTIVE_PEAK ? f->sign : 1.0) * maggi_local_weight(&f->best, i);
+  switch (f->type) {
+  case MAGGI_OBJECTIVE_TERMINAL:
+    return maggi_local_weight(&f->window.final, i);
   case MAGGI_OBJECTIVE_SMOOTH_MAXIMUM:
-    return node_weight(f, i) * exp(f->sharpness * (x - f->value));
-  default: /* value, least_squares */
+    return node_weight(f, i) * exp(f->sharpness * (s - f->target - f->value));
+  case MAGGI_OBJECTIVE_VALUE:
+  case MAGGI_OBJECTIVE_LEAST_SQUARES:
     return times_weight(f, i);
+  case MAGGI_OBJECTIVE_SLOPE:
+    maggi_slope_weight(&f->slope, node_weight(f, i), s, r, &by_s, by_r);
+    return by_s;
+  default:
+    return integral_weight(f, i, s);
   }
 }

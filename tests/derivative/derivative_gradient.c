@@ -14,7 +14,7 @@
 #include "course.h"
 #include "replay.h"
 
-enum { LANES = 2, OBJECTIVES = 8, STENCIL = 6, TIMES = 3, SNAPSHOTS = 4 };
+enum { LANES = 2, OBJECTIVES = 12, STENCIL = 6, TIMES = 3, SNAPSHOTS = 4 };
 
 /* as in derivative_simulation.c */
 #define ROUNDOFF 1e-12
@@ -116,10 +116,11 @@ static reference_number *simulate(study *s, const double *x)
 
 /* ------------------------------------------------------------------------------ complex objectives */
 
-/* weights of the stencil's samples in the polynomial of degree 5 at u, in its integral from u to u + 1 */
-static void polynomial(long double u, long double at[STENCIL], long double integral[STENCIL])
+/* weights of the stencil's samples in the polynomial of degree 5 at u, in its integral from u to v */
+static void polynomial(long double u, long double v, long double at[STENCIL],
+                       long double integral[STENCIL])
 {
-  long double c[STENCIL + 1], scale, high, low;
+  long double c[STENCIL + 1], scale, high, low, power;
   int i, j, k;
 
   for (i = 0; i < STENCIL; ++i) {
@@ -132,8 +133,9 @@ static void polynomial(long double u, long double at[STENCIL], long double integ
       c[0] *= -scale * j;
     }
     at[i] = integral[i] = 0.0L;
-    for (k = 0, high = u + 1.0L, low = u; k < STENCIL; ++k, high *= u + 1.0L, low *= u) {
-      at[i] += c[k] * (k == 0 ? 1.0L : low / u);
+    power = 1.0L;
+    for (k = 0, high = v, low = u; k < STENCIL; ++k, high *= v, low *= u, power *= u) {
+      at[i] += c[k] * power;
       integral[i] += c[k] * (high - low) / (k + 1);
     }
   }
@@ -146,43 +148,15 @@ static long stencil(const study *s, long interval)
   return first < 0 ? 0 : first > last ? last : first;
 }
 
-/* s(t) of an aim, or g(s) of it, at a sample */
-static reference_number sample(const study *s, const aim *a, const reference_number *values, long k)
+static reference_number between(const study *s, const aim *a, const reference_number *values,
+                                double time);
+
+/* s(t) of an aim, or g(s) of it, at a sample; without its reference */
+static reference_number raw(const study *s, const aim *a, const reference_number *values, long k)
 {
   const reference_number *z = values + k * s->nsignal;
 
   return a->def.function ? z[a->signal[0]] * z[a->signal[1]] : z[a->signal[0]] - a->def.target;
-}
-
-/* g(s) in an integral */
-static reference_number integrand(const aim *a, reference_number s)
-{
-  switch (a->def.type) {
-  case MAGGI_OBJECTIVE_INTEGRAL_SQUARE:
-  case MAGGI_OBJECTIVE_RMS:
-    return s * s;
-  case MAGGI_OBJECTIVE_VDV:
-    return s * s * s * s;
-  case MAGGI_OBJECTIVE_SMOOTH_MAXIMUM:
-    return cexpl(a->def.sharpness * s);
-  default:
-    return s;
-  }
-}
-
-static reference_number integral(const study *s, const aim *a, const reference_number *values)
-{
-  long double at[STENCIL], w[STENCIL];
-  reference_number sum = 0.0L;
-  long k, first;
-  int i;
-
-  for (k = 0; k < s->steps; ++k) {
-    first = stencil(s, k);
-    polynomial((long double)(k - first), at, w);
-    for (i = 0; i < STENCIL; ++i) sum += w[i] * integrand(a, sample(s, a, values, first + i));
-  }
-  return sum * s->c->step;
 }
 
 static reference_number between(const study *s, const aim *a, const reference_number *values,
@@ -193,28 +167,115 @@ static reference_number between(const study *s, const aim *a, const reference_nu
   reference_number sum = 0.0L;
   int i;
 
-  polynomial(u - first, at, w);
-  for (i = 0; i < STENCIL; ++i) sum += at[i] * sample(s, a, values, first + i);
+  polynomial(u - first, u - first, at, w);
+  for (i = 0; i < STENCIL; ++i) sum += at[i] * raw(s, a, values, first + i);
   return sum;
+}
+
+static double window_end(const study *s, const aim *a, int last)
+{
+  if (last) return isnan(a->def.to) ? s->steps * s->c->step : a->def.to;
+  return isnan(a->def.from) ? 0.0 : a->def.from;
+}
+
+/* less its reference */
+static reference_number sample(const study *s, const aim *a, const reference_number *values, long k)
+{
+  reference_number z = raw(s, a, values, k);
+
+  if (a->def.reference != MAGGI_REFERENCE_NONE)
+    z -= a->def.target +
+         between(s, a, values, window_end(s, a, a->def.reference == MAGGI_REFERENCE_FINAL));
+  return z;
+}
+
+/* g(s) in an integral */
+static reference_number integrand(const aim *a, reference_number s)
+{
+  switch (a->def.type) {
+  case MAGGI_OBJECTIVE_INTEGRAL_SQUARE:
+  case MAGGI_OBJECTIVE_RMS:
+  case MAGGI_OBJECTIVE_NORM:
+    return s * s;
+  case MAGGI_OBJECTIVE_VIOLATION:
+    return creall(s) > 0.0L ? s * s : 0.0L;
+  case MAGGI_OBJECTIVE_VDV:
+    return s * s * s * s;
+  case MAGGI_OBJECTIVE_SMOOTH_MAXIMUM:
+    return cexpl(a->def.sharpness * s);
+  default:
+    return s;
+  }
+}
+
+/* what is integrated at a sample; of a slope one of 1, s, r, r s, r^2 */
+static reference_number value_at(const study *s, const aim *a, const reference_number *values,
+                                 long k, int which)
+{
+  reference_number r;
+
+  if (a->def.type != MAGGI_OBJECTIVE_SLOPE) return integrand(a, sample(s, a, values, k));
+  r = values[k * s->nsignal + a->signal[1]];
+  switch (which) {
+  case 1:
+    return raw(s, a, values, k);
+  case 2:
+    return r;
+  case 3:
+    return r * raw(s, a, values, k);
+  default:
+    return r * r;
+  }
+}
+
+static reference_number integral(const study *s, const aim *a, const reference_number *values,
+                                 int which)
+{
+  long double at[STENCIL], w[STENCIL], from = window_end(s, a, 0), to = window_end(s, a, 1), u, v;
+  reference_number sum = 0.0L;
+  long k, first;
+  int i;
+
+  for (k = 0; k < s->steps; ++k) {
+    u = fmaxl(from / s->c->step, k);
+    v = fminl(to / s->c->step, k + 1);
+    if (v <= u) continue;
+    first = stencil(s, k);
+    polynomial(u - first, v - first, at, w);
+    for (i = 0; i < STENCIL; ++i) sum += w[i] * value_at(s, a, values, first + i, which);
+  }
+  return sum * s->c->step;
+}
+
+static reference_number straight_line(const study *s, const aim *a, const reference_number *values,
+                                      long double T)
+{
+  reference_number S = integral(s, a, values, 1), R = integral(s, a, values, 2);
+
+  return (T * integral(s, a, values, 3) - R * S) / (T * integral(s, a, values, 4) - R * R);
 }
 
 static reference_number outcome(const study *s, const aim *a, const reference_number *values)
 {
-  long double T = (long double)s->steps * s->c->step;
+  long double T = (long double)window_end(s, a, 1) - window_end(s, a, 0);
   reference_number sum = 0.0L, e;
   int i;
 
   switch (a->def.type) {
   case MAGGI_OBJECTIVE_MEAN:
-    return integral(s, a, values) / T;
+    return integral(s, a, values, 0) / T;
   case MAGGI_OBJECTIVE_RMS:
-    return csqrtl(integral(s, a, values) / T);
+    return csqrtl(integral(s, a, values, 0) / T);
   case MAGGI_OBJECTIVE_VDV:
-    return csqrtl(csqrtl(integral(s, a, values)));
+    return csqrtl(csqrtl(integral(s, a, values, 0)));
   case MAGGI_OBJECTIVE_SMOOTH_MAXIMUM:
-    return clogl(integral(s, a, values) / T) / a->def.sharpness;
+    return clogl(integral(s, a, values, 0) / T) / a->def.sharpness;
+  case MAGGI_OBJECTIVE_NORM:
+    return csqrtl(integral(s, a, values, 0));
+  case MAGGI_OBJECTIVE_SLOPE:
+    return straight_line(s, a, values, T);
   case MAGGI_OBJECTIVE_TERMINAL:
-    return sample(s, a, values, s->steps);
+    return between(s, a, values, window_end(s, a, 1));
   case MAGGI_OBJECTIVE_VALUE:
     for (i = 0; i < a->def.number; ++i) sum += between(s, a, values, a->times[i]);
     return sum;
@@ -225,7 +286,7 @@ static reference_number outcome(const study *s, const aim *a, const reference_nu
     }
     return sum / a->def.number;
   default:
-    return integral(s, a, values);
+    return integral(s, a, values, 0);
   }
 }
 
@@ -264,11 +325,45 @@ static int pick(study *s, int first, int n, int stride)
   return -1;
 }
 
-static void add_aim(study *s, maggi_objective_type type, int signal, int other)
+/* so much that a difference of two of its values in the window has digits, and its derivative too */
+static int varies(const study *s, const maggi_objective_def *d, int signal)
+{
+  double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY}, x[2];
+  long k;
+  int i;
+
+  for (k = 0; k <= s->steps; ++k) {
+    if (k * s->c->step < d->from || k * s->c->step > d->to) continue;
+    x[0] = (double)creall(s->value[0][k * s->nsignal + signal]);
+    x[1] = (double)cimagl(s->value[0][k * s->nsignal + signal]);
+    for (i = 0; i < 2; ++i) {
+      low[i] = fmin(low[i], x[i]);
+      high[i] = fmax(high[i], x[i]);
+    }
+  }
+  for (i = 0; i < 2; ++i)
+    if (!(high[i] - low[i] > 0.02 * fmax(fabs(low[i]), fabs(high[i])))) return 0;
+  return 1;
+}
+
+/* in a part of the time, relative to one of its ends */
+static void choose_window(study *s, maggi_objective_def *d, int signal)
+{
+  double T = s->steps * s->c->step;
+
+  if (d->type != MAGGI_OBJECTIVE_TERMINAL) d->from = mech_uniform(&s->random, 0.0, 0.4) * T;
+  d->to = mech_uniform(&s->random, 0.6, 1.0) * T;
+  if ((d->type == MAGGI_OBJECTIVE_NORM || d->type == MAGGI_OBJECTIVE_MEAN ||
+       d->type == MAGGI_OBJECTIVE_VDV) &&
+      varies(s, d, signal))
+    d->reference = (maggi_reference_type)(1 + mech_integer(&s->random, 2));
+}
+
+static void add_aim(study *s, maggi_objective_type type, int signal, int other, int has_window)
 {
   aim *a = &s->aim[s->naim];
   char message[300];
-  double largest = 0.0;
+  double largest = 0.0, mean = 0.0;
   long k;
   int i;
 
@@ -281,7 +376,14 @@ static void add_aim(study *s, maggi_objective_type type, int signal, int other)
   a->def.name = maggi_objective_type_name(type);
   a->def.type = type;
   a->def.signal = a->name[0];
-  if (other >= 0) {
+  if (has_window) choose_window(s, &a->def, signal);
+  if (type == MAGGI_OBJECTIVE_SLOPE) {
+    if (!varies(s, &a->def, other)) {
+      --s->naim;
+      return;
+    }
+    a->def.against = a->name[1];
+  } else if (other >= 0) {
     a->def.signal = NULL;
     a->def.nsignal = 2;
     a->def.signals = a->name;
@@ -291,6 +393,10 @@ static void add_aim(study *s, maggi_objective_type type, int signal, int other)
   }
   for (k = 0; k <= s->steps; ++k)
     largest = fmax(largest, fabsl(creall(s->value[0][k * s->nsignal + signal])));
+  for (k = 0; k <= s->steps; ++k)
+    mean += (double)creall(s->value[0][k * s->nsignal + signal]) / (double)(s->steps + 1);
+  if (type == MAGGI_OBJECTIVE_VIOLATION)
+    a->def.target = mean - 0.1 * largest; /* above it at times */
   if (type == MAGGI_OBJECTIVE_SMOOTH_MAXIMUM) a->def.sharpness = 3.0 / largest;
   if (type == MAGGI_OBJECTIVE_VALUE || type == MAGGI_OBJECTIVE_LEAST_SQUARES) {
     a->def.number = TIMES;
@@ -311,15 +417,21 @@ static void choose_aims(study *s)
   int sensors = 3 * s->d->t.nsensor, at = wrench + w, velocity;
 
   velocity = pick(s, 1, n, 3);
-  add_aim(s, MAGGI_OBJECTIVE_INTEGRAL_SQUARE, velocity, -1);
-  add_aim(s, MAGGI_OBJECTIVE_RMS, pick(s, 2, n, 3), -1);
-  add_aim(s, MAGGI_OBJECTIVE_TERMINAL, pick(s, energy, 3, 1), -1);
-  add_aim(s, MAGGI_OBJECTIVE_MEAN, pick(s, wrench, w, 1), -1);
-  add_aim(s, MAGGI_OBJECTIVE_VDV, pick(s, at, sensors, 1), -1);
-  add_aim(s, MAGGI_OBJECTIVE_SMOOTH_MAXIMUM, pick(s, at, sensors, 1), -1);
+  add_aim(s, MAGGI_OBJECTIVE_INTEGRAL_SQUARE, velocity, -1, 0);
+  add_aim(s, MAGGI_OBJECTIVE_RMS, pick(s, 2, n, 3), -1, 0);
+  add_aim(s, MAGGI_OBJECTIVE_TERMINAL, pick(s, energy, 3, 1), -1, 0);
+  add_aim(s, MAGGI_OBJECTIVE_MEAN, pick(s, wrench, w, 1), -1, 0);
+  add_aim(s, MAGGI_OBJECTIVE_VDV, pick(s, at, sensors, 1), -1, 0);
+  add_aim(s, MAGGI_OBJECTIVE_SMOOTH_MAXIMUM, pick(s, at, sensors, 1), -1, 0);
   add_aim(s, mech_integer(&s->random, 2) ? MAGGI_OBJECTIVE_VALUE : MAGGI_OBJECTIVE_LEAST_SQUARES,
-          pick(s, 0, n, 3), -1);
-  if (velocity >= 0) add_aim(s, MAGGI_OBJECTIVE_INTEGRAL, pick(s, wrench, w, 1), velocity);
+          pick(s, 0, n, 3), -1, 0);
+  if (velocity >= 0) add_aim(s, MAGGI_OBJECTIVE_INTEGRAL, pick(s, wrench, w, 1), velocity, 0);
+  add_aim(s, MAGGI_OBJECTIVE_NORM, pick(s, at, sensors, 1), -1, 1);
+  add_aim(s, mech_integer(&s->random, 2) ? MAGGI_OBJECTIVE_TERMINAL : MAGGI_OBJECTIVE_MEAN,
+          pick(s, 2, n, 3), -1, 1);
+  add_aim(s, mech_integer(&s->random, 2) ? MAGGI_OBJECTIVE_VDV : MAGGI_OBJECTIVE_VIOLATION,
+          pick(s, 1, n, 3), -1, 1);
+  if (velocity >= 0) add_aim(s, MAGGI_OBJECTIVE_SLOPE, pick(s, 2, n, 3), velocity, 1);
 }
 
 /* ----------------------------------------------------------------------------------------- checks */
@@ -378,7 +490,9 @@ static void check_balanced(study *s, const aim *a, const double *g)
   values = simulate(s, x);
   sum = along(s, g, x, &terms);
   report_true(s->c->seed, "the gradient is not zero", terms > 0.0);
-  if (report_true(s->c->seed, "the same complex simulation", values && s->steps == steps))
+  if (!report_true(s->c->seed, "the same complex simulation", values && s->steps == steps))
+    fprintf(stderr, "  %s: %s\n", s->c->name, a->def.name);
+  else
     near(s, "adjoint, entries of all sizes", a->def.name,
          fabs(sum - slope(outcome(s, a, values))) / terms, 1e-10);
   s->steps = steps;

@@ -447,7 +447,8 @@ static void check_directions(const sample *s)
   free(t.dirlean);
 }
 
-/* Random arguments in the topology of a model at rest: functions without rates, wheels without grip. */
+/* Random arguments in the topology of a model at rest: functions without rates, wheels without grip,
+ * controllers without torque. */
 static void check_rest(const sample *s)
 {
   maggi_topo t = s->data->t;
@@ -456,12 +457,15 @@ static void check_rest(const sample *s)
 
   t.funheld = malloc(((size_t)t.nfun + 1) * sizeof(int));
   t.wheelgrip = calloc((size_t)t.nwheel + 1, sizeof(int));
-  if (!t.funheld || !t.wheelgrip) abort();
+  t.speedheld = malloc(((size_t)t.nspeed + 1) * sizeof(int));
+  if (!t.funheld || !t.wheelgrip || !t.speedheld) abort();
   for (i = 0; i < t.nfun; ++i) t.funheld[i] = 1;
+  for (i = 0; i < t.nspeed; ++i) t.speedheld[i] = 1;
   inputs_random(&in, &t, s->seed + 1);
   check_inputs(&in, s->seed, t.nwheel == 0);
   free(t.funheld);
   free(t.wheelgrip);
+  free(t.speedheld);
 }
 
 /* Few models have wheels, of which the branches are many. */
@@ -478,7 +482,7 @@ static void check_sample(const sample *s)
   inputs_random(&in, &s->data->t, s->seed);
   check_inputs(&in, s->seed, s->data->t.nwheel == 0);
   check_directions(s);
-  if (s->data->t.nfun + s->data->t.nwheel > 0) check_rest(s);
+  if (s->data->t.nfun + s->data->t.nwheel + s->data->t.nspeed > 0) check_rest(s);
   for (i = 0; i < WHEEL_INPUTS && s->data->t.nwheel > 0; ++i) {
     inputs_random(&in, &s->data->t, s->seed + 1000u * (uint64_t)(i + 1));
     check_inputs(&in, s->seed, 0);

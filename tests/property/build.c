@@ -117,10 +117,18 @@ static maggi_status add_force(maggi_builder *b, const mechanism *m, int i)
   const mech_force *f = &m->force[i];
   maggi_force_def d = f->def;
   char name[MECH_NAME], body[MECH_NAME], reaction[MECH_NAME], q[MECH_NAME], fun[MECH_NAME];
+  char q2[MECH_NAME];
+  const char *both[2];
 
   snprintf(name, sizeof name, "p%d", i);
   d.name = name;
-  if (d.type == MAGGI_FORCE_JOINT) {
+  if (d.type >= MAGGI_FORCE_SPEED) {
+    d.body = body_name(f->body, body);
+    both[0] = coordinate_name(m, f->q, q);
+    both[1] = f->q2 < 0 ? NULL : coordinate_name(m, f->q2, q2);
+    d.ncoordinate = f->q2 < 0 ? 1 : 2;
+    d.coordinates = both;
+  } else if (d.type == MAGGI_FORCE_JOINT) {
     d.coordinate = coordinate_name(m, f->q, q);
   } else {
     d.body = body_name(f->body, body);

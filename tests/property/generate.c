@@ -661,7 +661,7 @@ static void add_forces(mechanism *m, mech_random *g, int n)
   for (i = 0; i < n; ++i) {
     f = &m->force[m->nforce++];
     maggi_force_def_init(&f->def);
-    f->def.type = (maggi_force_type)mech_integer(g, MAGGI_FORCE_TYPE_COUNT);
+    f->def.type = (maggi_force_type)mech_integer(g, MAGGI_FORCE_DRAG + 1);
     if (m->nq == 0)
       f->def.type = MAGGI_FORCE_GLOBAL;
     f->body = mech_integer(g, m->nbody);
@@ -686,6 +686,31 @@ static void add_forces(mechanism *m, mech_random *g, int n)
       f->function = new_function(m, g, (maggi_function_type)k, 1.0, 0);
     }
   }
+}
+
+/* a controller of speed, on two coordinates if they are alike */
+static void add_controller(mechanism *m, mech_random *g)
+{
+  mech_force *f = &m->force[m->nforce++];
+  const mech_body *a, *b;
+
+  maggi_force_def_init(&f->def);
+  f->def.type = chance(g, 0.5) ? MAGGI_FORCE_SPEED : MAGGI_FORCE_SPEED_LINEAR;
+  f->body = mech_integer(g, m->nbody);
+  f->reaction = MECH_GROUND;
+  f->q = mech_integer(g, m->nq);
+  f->q2 = mech_integer(g, m->nq);
+  a = &m->body[mech_body_of(m, f->q)];
+  b = &m->body[mech_body_of(m, f->q2)];
+  if (f->q == f->q2 || a->def.joint != MAGGI_JOINT_REVOLUTE ||
+      b->def.joint != MAGGI_JOINT_REVOLUTE)
+    f->q2 = -1;
+  point_near(g, middle_of(m, f->body), 0.1, 0.6, f->def.point);
+  f->def.speed = mech_uniform(g, 0.0, 3.0);
+  f->def.gain = mech_uniform(g, 0.1, 0.5);
+  f->def.torque = mech_uniform(g, 0.5, 2.0);
+  f->def.low_speed = mech_uniform(g, 0.1, 0.5);
+  f->function = m->nfunction > 0 && chance(g, 0.5) ? mech_integer(g, m->nfunction) : -1;
 }
 
 static void add_point_masses(mechanism *m, mech_random *g, int n)
@@ -904,4 +929,6 @@ void mech_generate(uint64_t seed, int attempt, mechanism *m)
     memset(m->gravity, 0, sizeof m->gravity);
   /* last, so that a seed goes on to mean the same motion */
   add_more_sensors(m, g);
+  if (m->nq > 0 && chance(g, 0.3))
+    add_controller(m, g);
 }

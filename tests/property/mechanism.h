@@ -93,6 +93,7 @@ typedef struct mech_joint_spring {
 typedef struct mech_force {
   maggi_force_def def;
   int body, reaction, q, function; /* reaction may be MECH_GROUND, function -1 */
+  int q2;                          /* of a controller, or -1 */
 } mech_force;
 
 typedef struct mech_function {

@@ -457,7 +457,7 @@ void Oracle::add_loads()
     double y[3] = {1.0, 0.0, 0.0};
     Vector3d f = vec(d.def.value);
 
-    if (d.def.type == MAGGI_FORCE_JOINT)
+    if (d.def.type == MAGGI_FORCE_JOINT || d.def.type >= MAGGI_FORCE_SPEED)
       continue;
     if (d.function >= 0)
       mech_function_value(&m.function[d.function], t, y);
@@ -501,13 +501,23 @@ void Oracle::add_actuation()
       tau[s.q2] -= f;
   }
   for (int i = 0; i < m.nforce; ++i) {
+    const mech_force &d = m.force[i];
     double y[3] = {1.0, 0.0, 0.0};
 
-    if (m.force[i].def.type != MAGGI_FORCE_JOINT)
+    if (d.def.type != MAGGI_FORCE_JOINT && d.def.type < MAGGI_FORCE_SPEED)
       continue;
-    if (m.force[i].function >= 0)
-      mech_function_value(&m.function[m.force[i].function], t, y);
-    tau[m.force[i].q] += m.force[i].def.value[0] * y[0];
+    if (d.function >= 0)
+      mech_function_value(&m.function[d.function], t, y);
+    if (d.def.type == MAGGI_FORCE_JOINT) {
+      tau[d.q] += d.def.value[0] * y[0];
+      continue;
+    }
+    double e = d.def.speed * y[0] -
+               std::hypot(drawn(d.body, d.def.point).v.norm(), d.def.low_speed);
+    double f = d.def.gain * d.def.torque * (d.def.type == MAGGI_FORCE_SPEED ? e * std::abs(e) : e);
+    tau[d.q] += f;
+    if (d.q2 >= 0)
+      tau[d.q2] += f;
   }
   for (int i = 0; i < m.nbody; ++i) {
     Vector6d w = dual[i] * tau.segment(m.body[i].q, m.body[i].dof);

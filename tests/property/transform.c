@@ -117,6 +117,14 @@ static int is_axis_bound(const mechanism *m, int q)
          (b->def.joint == MAGGI_JOINT_PLANAR && q < b->q + 2 && v3_norm(b->def.axis2) == 0.0);
 }
 
+static int is_force_axis_bound(const mechanism *m, const mech_force *f)
+{
+  if (f->def.type >= MAGGI_FORCE_SPEED && f->q2 >= 0 && is_axis_bound(m, f->q2))
+    return 1;
+  return (f->def.type == MAGGI_FORCE_JOINT || f->def.type >= MAGGI_FORCE_SPEED) &&
+         is_axis_bound(m, f->q);
+}
+
 int mech_drop_axis_bound(mechanism *m)
 {
   int i, n = m->njoint_spring + m->nforce;
@@ -136,7 +144,7 @@ int mech_drop_axis_bound(mechanism *m)
       m->joint_spring[i] = m->joint_spring[--m->njoint_spring];
   }
   for (i = m->nforce - 1; i >= 0; --i)
-    if (m->force[i].def.type == MAGGI_FORCE_JOINT && is_axis_bound(m, m->force[i].q))
+    if (is_force_axis_bound(m, &m->force[i]))
       m->force[i] = m->force[--m->nforce];
   return n - m->njoint_spring - m->nforce;
 }

@@ -145,9 +145,14 @@ objectives:
   - {name: at, type: value, signal: end.y, times: [0.005, 0.01]}
   - {name: fit, type: least_squares, signal: end.y, times: [0, 0.01], values: [0, 0]}
   - {name: total, type: sum, terms: [J1, high], weights: [1, 0.1]}
+  - {name: settling, type: norm, signal: end.z, from: 0.002, to: 0.008, reference: final}
+  - {name: gain, type: slope, signal: end.z, against: end.y}
 design:
   - {name: mass, parameters: [bodies.crank.mass, bodies.coupler.mass], factors: [1, 1.2],
      nominal: 1, lower: 0.5, upper: 2}
+set:
+  - {name: "springs.co*.damping", value: 4}
+  - {name: springs.coil.stiffness, value: 90}
 """
 
 
@@ -508,6 +513,15 @@ ROWS = [
     Row("unknown term", "[J1, high]", "[J1, low]", "name: total", '"low"'),
     Row("sum of sums", "[J1, high]", "[J1, total]", "name: total", "a sum itself"),
     Row("too many weights", "[1, 0.1]", "[1, 0.1, 2]", "[1, 0.1, 2]", "3 weights for 2 terms"),
+    Row("window of nothing", "from: 0.002", "from: 0.008", "name: settling", "window is empty"),
+    Row("window from the past", "from: 0.002", "from: -1", "name: settling", "before 0"),
+    Row("window of a sum", "[1, 0.1]}", "[1, 0.1], to: 1}", "name: total", 'no key "to"'),
+    Row("begin of an end", "norm, signal: end.z,", "terminal, signal: end.z,", "settling", 'no key'),
+    Row("unknown reference", "reference: final", "reference: first", "reference: first", '"first"'),
+    Row("reference of a peak", "type: norm", "type: peak", "name: settling", 'no key "reference"'),
+    Row("slope of one signal", ", against: end.y", "", "name: gain", '"against" is missing'),
+    Row("slope over nothing", "against: end.y", "against: end.w", "against: end.w", '"end.w"'),
+    Row("target of a slope", "against: end.y", "against: end.y, target: 1", "gain", '"target"'),
     Row("no parameters", "[bodies.crank.mass, bodies.coupler.mass]", "[]", "name: mass", "empty"),
     Row(
         "unknown parameter",
@@ -526,6 +540,11 @@ ROWS = [
     Row("too few factors", "[1, 1.2]", "[1]", "factors: [1]", "1 factors for 2"),
     Row("factor of zero", "[1, 1.2]", "[1, 0]", "factors: [1, 0]", "zero"),
     Row("bounds crossed", "lower: 0.5", "lower: 3", "lower: 3", "above upper"),
+    Row("nothing to set", "springs.coil.stiffness", "springs.coil.s", "springs.coil.s", "no number"),
+    Row("set without a name", "{name: springs.coil.stiffness, v", "{v", "{value: 90", "is missing"),
+    Row("set without a value", ", value: 90", "", "springs.coil.stiffness", "is missing"),
+    Row("set twice", '"springs.co*.damping"', "springs.coil.stiffness", "value: 90", "already"),
+    Row("set to what cannot be", "springs.coil.stiffness", "bodies.ball.mass, value: -1}  #", "bodies.ball.mass,", "set.bodies.ball.mass: bodies.ball.mass must not be negative"),
     Row("nominal out of bounds", "nominal: 1,", "nominal: 3,", "nominal: 3", "between"),
 ]
 
@@ -691,3 +710,126 @@ def test_step_too_large_for_a_loop(maggi):
     )
     said = fail_with(maggi, text, "", ["--step", "0.5", "--time", "1000"])
     assert "t = " in said and ("finite" in said or "tip" in said)
+
+
+# A file that builds on another: the message names the one that has the fault.
+
+VARIANT = """\
+format: maggi
+version: 1
+name: variant
+base: good.yaml
+remove: [sensors.end, objectives.high, objectives.at, objectives.fit, objectives.total]
+gravity: [0, 0, -1]
+springs:
+  - name: coil
+    body_a: ground
+    body_b: follower
+    point_a: [0, -1, 0]
+    point_b: [0, 1.2, -0.5]
+    stiffness: 200
+functions:
+  - {name: pulse, type: constant, value: 1}
+"""
+
+VARIANT_ROWS = [
+    ("no base", "good.yaml", "better.yaml", "variant.yaml", "base:", "better.yaml: cannot be opened"),
+    ("base is a folder", "good.yaml", ".", "variant.yaml", "base:", "directory"),
+    ("its own base", "good.yaml", "./variant.yaml", "variant.yaml", "base:", "builds on itself"),
+    ("no base at all", "base: good.yaml\n", "", "variant.yaml", "remove:", '"base"'),
+    ("nothing removed", "[sensors.end,", "[]  #", "variant.yaml", "remove:", "empty"),
+    ("removed twice", "sensors.end,", "sensors.end, sensors.end,", "variant.yaml", "remove:",
+     '"sensors.end" is not in the base'),
+    ("removed is not there", "sensors.end", "sensors.and", "variant.yaml", "remove:",
+     '"sensors.and" is not in the base'),
+    ("removed from no list", "sensors.end", "gravity.x", "variant.yaml", "remove:", "LIST.NAME"),
+    ("removed without a name", "sensors.end", "sensors", "variant.yaml", "remove:", "LIST.NAME"),
+    ("own entry twice", "functions:\n", "functions:\n  - {name: pulse, type: constant, value: 2}\n",
+     "variant.yaml", "value: 1", "already"),
+    ("own number wrong", "functions:", "set: [{name: springs.coil.x.y, value: 1}]\nfunctions:", "variant.yaml",
+     "set: [", "no number"),
+    ("own key wrong", "gravity:", "gravitation:", "variant.yaml", "gravitation:", "unknown key"),
+    ("own entry wrong", "body_b: follower", "body_b: foll", "variant.yaml", "body_b:", '"foll"'),
+    ("needed by the base", "[sensors.end,", "[loops.tip, bodies.ball, sensors.end,", "good.yaml",
+     "body_b: ball", '"ball"'),
+    ("function needed by the base", "[sensors.end,", "[functions.turn, sensors.end,", "good.yaml",
+     "- name: wheel", '"turn"'),
+]  # fmt: skip
+
+
+# of the reader, of an entry, and of what the whole model finds
+BASE_ROWS = [
+    row
+    for row in ROWS
+    if row.what
+    in (
+        "syntax: tab",
+        "unknown key in a joint",
+        "key twice",
+        "body without joint",
+        "text for a number",
+        "negative step",
+        "body twice",
+        "unknown parent",
+        "zero axis",
+        "inertia not definite",
+        "unknown motion",
+        "loop without a point",
+        "negative density",
+        "unknown parameter",
+    )
+]
+
+
+def check_variant(maggi, text, base, where, at, message, folder="."):
+    for path, content in ((f"{folder}/variant.yaml", text), ("good.yaml", base)):
+        (maggi.folder / path).parent.mkdir(exist_ok=True)
+        (maggi.folder / path).write_text(content)
+    result = maggi.run("info", f"{folder}/variant.yaml")
+    if message is None:
+        assert result.returncode == 0, result.stderr
+        return
+    assert result.returncode == 1 and result.stdout == "" and result.stderr.count("\n") == 1, result
+    content = base if where.endswith("good.yaml") else text
+    assert result.stderr.startswith(f"maggi: {folder}/{where}:{line_of(content, at)}: "), result.stderr
+    assert message in result.stderr, result.stderr
+
+
+def test_variant(maggi):
+    check_variant(maggi, VARIANT, GOOD, "", "", None)
+    check_variant(maggi, VARIANT.replace("good", "../good"), GOOD, "", "", None, "sub")
+
+
+@pytest.mark.parametrize("row", VARIANT_ROWS, ids=lambda row: row[0])
+def test_bad_variant(maggi, row):
+    _, old, new, where, at, message = row
+    assert VARIANT.count(old) >= 1
+    check_variant(maggi, VARIANT.replace(old, new, 1), GOOD, where, at, message)
+
+
+@pytest.mark.parametrize("row", BASE_ROWS, ids=lambda row: row.what)
+def test_bad_base(maggi, row):
+    """A fault of the base has the line of the base, from another folder too."""
+    base = GOOD.replace(row.old, row.new, 1)
+    variant = VARIANT.replace("good", "../good")
+    check_variant(maggi, variant, base, "../good.yaml", row.at, row.message, "sub")
+
+
+def test_base_cycle(maggi):
+    head = "format: maggi\nversion: 1\nname: n\nbase: "
+    (maggi.folder / "sub").mkdir()
+    (maggi.folder / "a.yaml").write_text(head + "sub/b.yaml\n")
+    (maggi.folder / "sub/b.yaml").write_text(head + "../sub/./../a.yaml\n")
+    result = maggi.run("info", "a.yaml")
+    assert result.returncode == 1
+    assert result.stderr.startswith("maggi: sub/b.yaml:4: base: ") and "itself" in result.stderr
+
+
+def test_base_chain(maggi):
+    """Sixteen files build on each other, not seventeen."""
+    for i in range(17):
+        base = f"base: {i - 1}.yaml\n" if i else GOOD[GOOD.index("gravity") :]
+        (maggi.folder / f"{i}.yaml").write_text(f"format: maggi\nversion: 1\nname: n{i}\n{base}")
+    assert maggi.run("info", "15.yaml").returncode == 0
+    result = maggi.run("info", "16.yaml")
+    assert result.returncode == 1 and "1.yaml:4: base: more than 16 files" in result.stderr

@@ -190,6 +190,19 @@ def test_own_models_come_first(tmp_path):
     failed(1, 'did you mean "my-own-model"', "info", "my-won-model", env=own)
 
 
+def test_models_in_folders(tmp_path):
+    """FOLDER/NAME, or NAME where the folder has that name too; a file of the user comes first."""
+    names = [model["name"] for model in shipped()]
+    assert "coach" in names and "coach/turn" in names and "coach/coach" not in names
+    assert done("info", "coach/coach").splitlines()[0] == "coach"
+    assert done("info", "coach/turn", cwd=tmp_path).splitlines()[0] == "coach-turn"
+    failed(1, 'did you mean "coach/turn"', "info", "coach/trun")
+    failed(1, "./coach/turn: cannot be opened", "info", "./coach/turn", cwd=tmp_path)
+    (tmp_path / "coach").mkdir()
+    (tmp_path / "coach/turn").write_text("format: maggi\n")
+    failed(1, "coach/turn:1: ", "info", "coach/turn", cwd=tmp_path)
+
+
 def test_directory_of_models_must_exist(tmp_path):
     failed(1, "MAGGI_MODELS", "models", env=dict(os.environ, MAGGI_MODELS=str(tmp_path / "none")))
 
@@ -351,6 +364,27 @@ def test_set_changes_the_motion():
     )
 
 
+def test_set_design_parameters():
+    """A name of `design` moves all that it stands for; paths come first."""
+
+    def values(*arguments):
+        found = json.loads(done("info", "pendulum", "--json", "--parameters", *arguments))
+        return {p["path"]: p["value"] for p in found["parameters"]}
+
+    changed = values("--set", "length=2", "bodies.bar.mass=3", "gravity=1")
+    assert changed["bodies.bar.cog.x"] == -2 and changed["sensors.mass.point.x"] == -2
+    assert changed["bodies.bar.mass"] == 3 and changed["gravity.y"] == -1
+    assert values("--set", "mass=3") == values("--set", "bodies.bar.mass=3")
+    moved = values("--set", "length=2", "bodies.bar.cog.x=-1.5")
+    assert moved["bodies.bar.cog.x"] == -2 and moved["sensors.mass.point.x"] == -1.5
+    for setting, text in (
+        ("lengt=1", 'mean "length"'),
+        ("mass=-1", "mass=-1: bodies.bar.mass"),
+        ("len*=1", "no parameter"),
+    ):
+        failed(2, text, "simulate", "pendulum", "--set", setting)
+
+
 # ------------------------------------------------------------------ simulate: summary
 
 KEYS = """model bodies coordinates dof loop_equations rank time step steps evaluations wall_s
@@ -466,7 +500,7 @@ def test_replaced_file_keeps_link_and_rights(tmp_path):
     done("simulate", MODEL, "--time", 0.01, "--out", link)
     assert link.is_symlink() and len(read(out)["t"]) == 11
     assert stat.S_IMODE(out.stat().st_mode) == 0o640
-    assert sorted(os.listdir(tmp_path)) == ["a.csv", "link.csv"]
+    assert sorted(os.listdir(tmp_path)) == ["a.csv", "link.csv", "link.csv.json"]
 
 
 def test_model_file_is_not_overwritten(tmp_path):
@@ -559,7 +593,7 @@ def test_interrupted(number, tmp_path):
     assert process.returncode == 130 and message == ""
     assert summary["interrupted"] is True and summary["time"] == table["t"][-1]
     assert summary["rows"] == len(table["t"]) == summary["steps"] + 1
-    assert os.listdir(tmp_path) == ["a.csv"]
+    assert sorted(os.listdir(tmp_path)) == ["a.csv", "a.csv.json"]
 
 
 def test_interrupted_between_rows(tmp_path):

@@ -29,6 +29,8 @@ static inline void open_chain_forces(maggi_data *d)
   maggi_element_forces(t, d->p, CHAIN_ARRAY(d->fun), d->spring0, d->q, d->v, CHAIN_ARRAY(d->A),
                        CHAIN_ARRAY(d->Z), CHAIN_ARRAY(d->r), CHAIN_ARRAY(d->rv),
                        CHAIN_ARRAY(d->roll), d->Q, d->tau, d->power);
+  maggi_control_forces(t, d->p, CHAIN_ARRAY(d->fun), d->v, CHAIN_ARRAY(d->rv), d->speed, d->tau,
+                       d->power);
   maggi_body_inertias(t, CHAIN_ARRAY(d->body0), CHAIN_ARRAY(d->A), CHAIN_ARRAY(d->x), d->I);
   maggi_inertia_forces(t, CHAIN_ARRAY(d->I), CHAIN_ARRAY(d->Z), CHAIN_ARRAY(d->Z0), d->F);
   maggi_rod_forces(t, d->p, CHAIN_ARRAY(d->r), CHAIN_ARRAY(d->r0a), d->F);
@@ -108,6 +110,9 @@ static inline int open_chain_couples(const maggi_topo *t, int qi, int qj)
     b = t->forcereaction[i];
     yes = yes || (open_chain_parts(t, qi, b, a) && open_chain_parts(t, qj, a, b));
   }
+  for (i = 0; i < t->nspeed; ++i)
+    for (a = t->speedqadr[i]; a < t->speedqadr[i] + t->speedqnum[i]; ++a)
+      yes = yes || (qi == t->speedq[a] && open_chain_moves(t, qj, t->pointbody[t->speedpoint[i]]));
   return yes;
 }
 

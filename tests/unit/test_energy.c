@@ -168,7 +168,11 @@ static void test_balance(void)
       "- {name: f6, type: drag, body: flap, point: [1, 1.5, 0.3], density: 1.2, coefficient: 0.8,"
       " area: 0.5, low_speed: 0.5, wind: [1, 2, -1], function: f}\n"
       "- {name: f7, type: drag, body: rocker, reaction: crank, point: [1, 1, 0.6], density: 1.2,"
-      " coefficient: 1, area: 0.5, low_speed: 1}\n");
+      " coefficient: 1, area: 0.5, low_speed: 1}\n"
+      "- {name: f8, type: speed_controller, body: flap, point: [1, 1.5, 0.3], coordinates: [crank,"
+      " flap.2], speed: 4, gain: 0.1, torque: 2, low_speed: 0.5, function: f}\n"
+      "- {name: f9, type: speed_controller_linear, body: rocker, point: [1, 1, 0.6],"
+      " coordinates: [rocker], speed: 2, gain: 0.5, torque: 2, low_speed: 0.5}\n");
   double scale, off1 = balance(m, 4e-3, &scale), off2 = balance(m, 2e-3, &scale);
   double off3 = balance(m, 1e-3, &scale);
 

@@ -105,6 +105,8 @@ static void test_names(void)
   check_named(m, "least_squares(b.q)", MAGGI_E_VALUE,
               "objective \"least_squares(b.q)\": a least_squares needs a record, declare it in the "
               "model");
+  check_named(m, "slope(b.q)", MAGGI_E_VALUE,
+              "objective \"slope(b.q)\": a slope needs another signal, declare it in the model");
   check_named(m, "sum(b.q)", MAGGI_E_VALUE,
               "objective \"sum(b.q)\": a sum needs terms, declare it in the model");
   maggi_model_free(m);
@@ -165,6 +167,23 @@ static void test_refused(void)
           d.times = infinite, MAGGI_E_VALUE, "objective \"o\": times are not finite");
   REFUSED(d.type = MAGGI_OBJECTIVE_LEAST_SQUARES; d.number = 2;
           d.times = rising, MAGGI_E_VALUE, "objective \"o\": values are not finite");
+  REFUSED(d.from = 2.0;
+          d.to = 1.0, MAGGI_E_VALUE, "objective \"o\": the window is empty (from 2 to 1)");
+  REFUSED(d.to = 0.0, MAGGI_E_VALUE, "objective \"o\": the window is empty (from 0 to 0)");
+  REFUSED(d.from = -1.0, MAGGI_E_VALUE, "objective \"o\": the window begins before 0 (-1)");
+  REFUSED(d.to = INFINITY, MAGGI_E_VALUE, "objective \"o\": the window is not finite");
+  REFUSED(d.type = MAGGI_OBJECTIVE_VALUE; d.number = 2; d.times = rising;
+          d.to = 1.0, MAGGI_E_VALUE, "objective \"o\": a value has no window");
+  REFUSED(d.type = MAGGI_OBJECTIVE_TERMINAL;
+          d.from = 1.0, MAGGI_E_VALUE,
+          "objective \"o\": a terminal is at the end of its window, so without from");
+  REFUSED(d.type = MAGGI_OBJECTIVE_PEAK; d.reference = MAGGI_REFERENCE_FINAL, MAGGI_E_VALUE,
+                                         "objective \"o\": a peak has no reference");
+  REFUSED(d.reference = (maggi_reference_type)7, MAGGI_E_VALUE,
+          "objective \"o\": reference 7 does not exist");
+  REFUSED(d.type = MAGGI_OBJECTIVE_SLOPE, MAGGI_E_VALUE, "objective \"o\": against is missing");
+  REFUSED(d.type = MAGGI_OBJECTIVE_SLOPE;
+          d.against = "no", MAGGI_E_NAME, "objective \"o\": no signal \"no\"");
   REFUSED(d.type = MAGGI_OBJECTIVE_SUM, MAGGI_E_VALUE, "objective \"o\": terms are missing");
   REFUSED(d.type = MAGGI_OBJECTIVE_SUM; d.nterm = 1;
           d.terms = unknown, MAGGI_E_NAME, "objective \"o\": no objective \"nothing\"");

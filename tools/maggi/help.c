@@ -10,6 +10,7 @@ static const char help_general[] =
     "  maggi sensitivity MODEL [options]\n"
     "                                   gradients of objectives by parameters\n"
     "  maggi verify MODEL [options]     compare all methods for these gradients\n"
+    "  maggi report RUN.csv ..          one page of tables and plots of one or more runs\n"
     "  maggi info MODEL [options]       bodies, loops, degrees of freedom, parameters\n"
     "  maggi models [--json]            the models that ship\n"
     "  maggi tyre FILE.tir [options]    forces of a tyre at given slips\n"
@@ -37,7 +38,12 @@ static const char help_simulate[] =
     "  --every N            a row at t = 0, every N steps, and at the end; default 1\n"
     "  --energy             columns of energies\n"
     "  --reactions BODY,..  columns of joint reactions of these bodies, or of all\n"
-    "  --set PATH=VALUE ..  change parameters, listed by maggi info MODEL --parameters\n"
+    "  --objectives         values of the objectives that the model declares, by a second\n"
+    "                       simulation\n"
+    "  --report PAGE.html   the page of maggi report, with objectives; without --out the\n"
+    "                       table, with energies, is kept no longer than that\n"
+    "  --set PATH=VALUE ..  change parameters, listed by maggi info MODEL --parameters,\n"
+    "                       and design parameters, by NAME=VALUE\n"
     "  --formulation maggi  explicit, of order 4 (Runge-Kutta); loops closed to --tolerance\n"
     "  --formulation penalty\n"
     "                       implicit, of order 2 (trapezoidal rule); loops held by springs\n"
@@ -65,6 +71,11 @@ static const char help_simulate[] =
     "\n"
     "FILE appears, complete, when the simulation ends; if it fails there is none.\n"
     "After an interruption (Ctrl-C, SIGTERM) FILE has the rows so far.\n"
+    "\n"
+    "Beside it FILE.csv.json says what it is: format (maggi-run), version, maggi (its\n"
+    "version), date, command, file and path of the model, set, every, run (the summary),\n"
+    "columns (name and unit of each), model (all of maggi info, with the parameters of this\n"
+    "run).  maggi report reads it; nothing else needs it.\n"
     "\n"
     "Summary: time is the time reached; evaluations are those of the steps, without the\n"
     "start; wall_s is the time spent stepping, without output; us_per_evaluation is their\n"
@@ -178,6 +189,26 @@ static const char help_verify[] =
     "The column simulations is what each costs, for differences with one perturbation.  All\n"
     "together is some 400 simulations; a shorter --time proves as much.\n";
 
+static const char help_report[] =
+    "maggi report RUN.csv [RUN2.csv ..] [options]\n"
+    "\n"
+    "One page of HTML without anything outside of it: how the run was made, the model, the\n"
+    "manoeuvre, key figures with their times, plots.  Several runs (laden and unladen, designs)\n"
+    "are drawn over each other: the columns that all have.\n"
+    "\n"
+    "  --out PAGE.html      default RUN.html\n"
+    "  --title TEXT         of the page; default: name of the model\n"
+    "\n"
+    "RUN.csv is written by maggi simulate --out.  What its columns are is read in RUN.csv.json\n"
+    "beside it; without that the page has only what the names of the columns say.  Models with\n"
+    "wheels are vehicles: their page has what their sensors (of any name) and their free joint\n"
+    "give: path, speed, accelerations, roll, sideslip, slips and forces of tyres, load\n"
+    "transfer, understeer, response to a step of the steering.  --energy, --reactions of\n"
+    "maggi simulate add plots, its --objectives adds their values.\n"
+    "\n"
+    "PAGE.html appears, complete, or not at all.  Needs python3 with numpy, and the script\n"
+    "report, which is looked for as that of maggi sensitivity --plot.\n";
+
 static const char help_info[] =
     "maggi info MODEL [options]\n"
     "\n"
@@ -233,9 +264,10 @@ const char *help_text(const char *command)
     const char *command;
     const char *text;
   } page[] = {
-      {"", help_general},      {"simulate", help_simulate}, {"sensitivity", help_sensitivity},
-      {"verify", help_verify}, {"info", help_info},         {"models", help_models},
-      {"tyre", help_tyre},     {"help", help_help},         {"version", help_version}};
+      {"", help_general},       {"simulate", help_simulate}, {"sensitivity", help_sensitivity},
+      {"verify", help_verify},  {"report", help_report},     {"info", help_info},
+      {"models", help_models},  {"tyre", help_tyre},         {"help", help_help},
+      {"version", help_version}};
   size_t i;
 
   for (i = 0; i < sizeof page / sizeof page[0]; ++i)

@@ -1,5 +1,4 @@
 /* maggi info: what a model is made of. */
-#include <fnmatch.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -12,17 +11,10 @@
 #include "models.h"
 #include "options.h"
 #include "settings.h"
+#include "sheet.h"
 #include "tree.h"
 
 #define LINE_MAX_NAMES 90 /* columns of a list of names */
-
-typedef struct subject {
-  const maggi_model *model;
-  maggi_data *data;
-  maggi_model_info info;
-  int is_reset;           /* the loops are closed: rank and degrees of freedom are known */
-  maggi_loop_state loops; /* if so */
-} subject;
 
 /* ------------------------------------------------------------------------------ as text */
 
@@ -98,11 +90,6 @@ static void print_declared(const subject *s, const char *title,
   putchar('\n');
 }
 
-static int is_wanted(const char *path, const char *glob)
-{
-  return !glob || fnmatch(glob, path, 0) == 0;
-}
-
 /* Parameters that match glob (NULL: all). */
 static void print_parameters(const subject *s, const char *glob, const char *indentation)
 {
@@ -111,11 +98,11 @@ static void print_parameters(const subject *s, const char *glob, const char *ind
 
   for (i = 0; i < s->info.parameters; ++i) {
     path = maggi_parameter_path(s->model, i);
-    if (is_wanted(path, glob) && (int)strlen(path) > width) width = (int)strlen(path);
+    if (sheet_wants(path, glob) && (int)strlen(path) > width) width = (int)strlen(path);
   }
   for (i = 0; i < s->info.parameters; ++i) {
     path = maggi_parameter_path(s->model, i);
-    if (is_wanted(path, glob))
+    if (sheet_wants(path, glob))
       printf("%s%-*s  %22.15g  %s\n", indentation, width, path,
              maggi_data_get_parameter(s->data, i), maggi_parameter_unit(s->model, i));
   }
@@ -138,124 +125,6 @@ static int print_all(const subject *s)
 
 /* ------------------------------------------------------------------------------ as JSON */
 
-static void json_bodies(json *j, const subject *s)
-{
-  int i, k, coordinate;
-
-  json_open_array(j, "bodies");
-  for (i = 0; i < s->info.bodies; ++i) {
-    json_open_object(j, NULL);
-    json_string(j, "name", maggi_body_name(s->model, i));
-    json_string(j, "parent", maggi_body_parent(s->model, i));
-    json_string(j, "joint", maggi_joint_type_name(maggi_body_joint(s->model, i)));
-    json_open_array(j, "coordinates");
-    for (k = 0; (coordinate = tree_coordinate(s->model, i, k)) >= 0; ++k)
-      json_string(j, NULL, maggi_coordinate_name(s->model, coordinate));
-    json_close_array(j);
-    json_close_object(j);
-  }
-  json_close_array(j);
-}
-
-static void json_coordinates(json *j, const subject *s)
-{
-  int i;
-
-  json_open_array(j, "coordinates");
-  for (i = 0; i < s->info.coordinates; ++i) {
-    json_open_object(j, NULL);
-    json_string(j, "name", maggi_coordinate_name(s->model, i));
-    json_string(j, "unit", maggi_coordinate_is_angle(s->model, i) ? "rad" : "m");
-    json_boolean(j, "guided", maggi_coordinate_is_guided(s->model, i));
-    if (s->is_reset)
-      json_boolean(j, "independent", maggi_coordinate_is_independent(s->data, i));
-    else
-      json_null(j, "independent");
-    json_close_object(j);
-  }
-  json_close_array(j);
-}
-
-static void json_loops(json *j, const subject *s)
-{
-  int i;
-
-  json_open_array(j, "loops");
-  for (i = 0; i < s->info.loops; ++i) {
-    json_open_object(j, NULL);
-    json_string(j, "name", maggi_loop_name(s->model, i));
-    json_string(j, "kind", maggi_loop_kind(s->model, i));
-    json_integer(j, "rows", maggi_loop_rows(s->model, i));
-    json_close_object(j);
-  }
-  json_close_array(j);
-}
-
-static void json_sensors(json *j, const subject *s)
-{
-  int i;
-
-  json_open_array(j, "sensors");
-  for (i = 0; i < s->info.sensor_columns; ++i) {
-    json_open_object(j, NULL);
-    json_string(j, "name", maggi_sensor_column_name(s->model, i));
-    json_string(j, "unit", maggi_sensor_column_unit(s->model, i));
-    json_close_object(j);
-  }
-  json_close_array(j);
-}
-
-static void json_declared(json *j, const subject *s, const char *key,
-                          const char *(*name)(const maggi_model *m, int index))
-{
-  int i;
-
-  json_open_array(j, key);
-  for (i = 0; name(s->model, i); ++i) json_string(j, NULL, name(s->model, i));
-  json_close_array(j);
-}
-
-static void json_parameters(json *j, const subject *s, const char *glob)
-{
-  int i;
-
-  json_open_array(j, "parameters");
-  for (i = 0; i < s->info.parameters; ++i) {
-    if (!is_wanted(maggi_parameter_path(s->model, i), glob)) continue;
-    json_open_object(j, NULL);
-    json_string(j, "path", maggi_parameter_path(s->model, i));
-    json_string(j, "unit", maggi_parameter_unit(s->model, i));
-    json_number(j, "value", maggi_data_get_parameter(s->data, i));
-    json_number(j, "default", maggi_parameter_default(s->model, i));
-    json_close_object(j);
-  }
-  json_close_array(j);
-}
-
-static void json_all(json *j, const subject *s)
-{
-  json_string(j, "source", s->info.source);
-  json_open_object(j, "simulation");
-  if (s->info.simulation.time > 0.0) json_number(j, "time", s->info.simulation.time);
-  if (s->info.simulation.step > 0.0) json_number(j, "step", s->info.simulation.step);
-  json_close_object(j);
-  if (s->is_reset) {
-    json_integer(j, "dof", s->loops.dof);
-    json_integer(j, "rank", s->loops.rank);
-  } else {
-    json_null(j, "dof");
-    json_null(j, "rank");
-  }
-  json_integer(j, "loop_equations", s->info.loop_equations);
-  json_bodies(j, s);
-  json_coordinates(j, s);
-  json_loops(j, s);
-  json_sensors(j, s);
-  json_declared(j, s, "objectives", maggi_model_objective);
-  json_declared(j, s, "design", maggi_model_design);
-  json_parameters(j, s, NULL);
-}
-
 static void json_subject(const subject *s, int only_parameters, const char *glob)
 {
   json j;
@@ -264,9 +133,9 @@ static void json_subject(const subject *s, int only_parameters, const char *glob
   json_open_object(&j, NULL);
   json_string(&j, "model", s->info.name);
   if (only_parameters)
-    json_parameters(&j, s, glob);
+    sheet_parameters(&j, s, glob);
   else
-    json_all(&j, s);
+    sheet_json(&j, s);
   json_close_object(&j);
 }
 
@@ -292,7 +161,7 @@ static int info_parameters(const subject *s, const request *want)
   int i;
 
   for (i = 0; i < s->info.parameters; ++i)
-    if (is_wanted(maggi_parameter_path(s->model, i), want->glob)) break;
+    if (sheet_wants(maggi_parameter_path(s->model, i), want->glob)) break;
   if (want->glob && i == s->info.parameters)
     return message_fail(STATUS_USAGE, "--parameters: no parameter of model %s matches \"%s\"",
                         s->info.name, want->glob);

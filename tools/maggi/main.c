@@ -25,6 +25,7 @@ typedef struct command {
 static const command commands[] = {{"simulate", command_simulate},
                                    {"sensitivity", command_sensitivity},
                                    {"verify", command_verify},
+                                   {"report", command_report},
                                    {"info", command_info},
                                    {"models", command_models},
                                    {"tyre", command_tyre},

@@ -1,6 +1,7 @@
 /* Which models ship, where they are found, and the command that lists them.
  *
- * A model NAME is DIR/NAME.yaml or DIR/NAME/NAME.yaml, in the first DIR that has it (places.h).
+ * A model NAME is DIR/NAME.yaml or DIR/NAME/NAME.yaml, in the first DIR that has it (places.h); a model
+ * FOLDER/NAME is DIR/FOLDER/NAME.yaml.
  */
 #include "models.h"
 
@@ -49,6 +50,7 @@ static int find_shipped(const char *name, char path[MODELS_PATH_MAX])
     if (dir[0] == '\0') continue;
     n = snprintf(path, MODELS_PATH_MAX, "%s/%s.yaml", dir, name);
     if (n < MODELS_PATH_MAX && is_file(path)) return 1;
+    if (strchr(name, '/')) continue;
     n = snprintf(path, MODELS_PATH_MAX, "%s/%s/%s.yaml", dir, name, name);
     if (n < MODELS_PATH_MAX && is_file(path)) return 1;
   }
@@ -58,26 +60,50 @@ static int find_shipped(const char *name, char path[MODELS_PATH_MAX])
 
 /* ------------------------------------------------------------------------------ the list */
 
-/* Add the models of a directory: 0, or -1 without memory. */
-static int scan(names *list, const char *dir)
+static int is_folder(const char *path)
+{
+  struct stat s;
+
+  return stat(path, &s) == 0 && S_ISDIR(s.st_mode);
+}
+
+/* Add DIR/FOLDER/NAME.yaml as FOLDER/NAME or, when the names are the same, as NAME; folder NULL: DIR/NAME.yaml
+ * as NAME; 0, or -1 without memory. */
+static int add_model(names *list, const char *dir, const char *folder, const char *file)
+{
+  char path[MODELS_PATH_MAX], name[MODELS_PATH_MAX];
+  size_t n = strlen(file) - strlen(".yaml");
+  int length, is_short = !folder || (strlen(folder) == n && strncmp(folder, file, n) == 0);
+
+  length =
+      snprintf(path, sizeof path, "%s%s%s/%s", dir, folder ? "/" : "", folder ? folder : "", file);
+  if (length >= (int)sizeof path || !is_file(path)) return 0;
+  snprintf(name, sizeof name, "%s%s%.*s", is_short ? "" : folder, is_short ? "" : "/", (int)n,
+           file);
+  return names_has(list, name, strlen(name)) ? 0 : names_add(list, name, strlen(name));
+}
+
+/* Add the models of a directory and of the folders in it (folder NULL): 0, or -1 without memory. */
+static int scan(names *list, const char *dir, const char *folder)
 {
   char path[MODELS_PATH_MAX];
   const struct dirent *entry;
-  const char *file;
-  size_t n;
   DIR *d;
   int failed = 0;
 
-  d = opendir(dir);
+  if (snprintf(path, sizeof path, "%s%s%s", dir, folder ? "/" : "", folder ? folder : "") >=
+      (int)sizeof path)
+    return 0;
+  d = opendir(path);
   if (!d) return 0;
   while (!failed && (entry = readdir(d)) != NULL) {
-    file = entry->d_name;
-    if (file[0] == '.') continue;
-    n = ends_with(file, ".yaml") ? strlen(file) - strlen(".yaml") : strlen(file);
-    if (snprintf(path, sizeof path, file[n] ? "%s/%s" : "%s/%s/%s.yaml", dir, file, file) <
-            (int)sizeof path &&
-        is_file(path) && !names_has(list, file, n))
-      failed = names_add(list, file, n);
+    if (entry->d_name[0] == '.') continue;
+    if (ends_with(entry->d_name, ".yaml"))
+      failed = add_model(list, dir, folder, entry->d_name);
+    else if (!folder &&
+             snprintf(path, sizeof path, "%s/%s", dir, entry->d_name) < (int)sizeof path &&
+             is_folder(path))
+      failed = scan(list, dir, entry->d_name);
   }
   closedir(d);
   return failed;
@@ -103,7 +129,7 @@ static int list_shipped(names *list)
     return message_fail(STATUS_FAILED, "MAGGI_MODELS: %s: %s", own, strerror(ENOTDIR));
   for (i = 0; i < PLACES; ++i) {
     dir = places_directory("models", i, beside);
-    if (dir[0] && scan(list, dir)) return message_fail(STATUS_FAILED, "out of memory");
+    if (dir[0] && scan(list, dir, NULL)) return message_fail(STATUS_FAILED, "out of memory");
   }
   if (list->number > 0) qsort(list->name, (size_t)list->number, sizeof *list->name, compare_names);
   return STATUS_DONE;
@@ -169,6 +195,15 @@ static int open_file(const char *path, maggi_model **model)
   return message_fail(STATUS_FAILED, "%s", text);
 }
 
+/* ./x, ../x, /x, x/y/z, x.yaml; but x/y may be a model in a folder unless there is such a file */
+static int is_path(const char *spec)
+{
+  const char *slash = strchr(spec, '/');
+
+  if (ends_with(spec, ".yaml") || ends_with(spec, ".yml")) return 1;
+  return slash && (*spec == '.' || slash == spec || strchr(slash + 1, '/') || is_file(spec));
+}
+
 int models_open(const char *spec, maggi_model **model, char path[MODELS_PATH_MAX])
 {
   static const char prefix[] = GENERATED ":";
@@ -179,9 +214,7 @@ int models_open(const char *spec, maggi_model **model, char path[MODELS_PATH_MAX
     return open_generated(spec, spec + sizeof prefix - 1, model);
   if (strlen(spec) >= MODELS_PATH_MAX)
     return message_fail(STATUS_FAILED, "%s: %s", spec, strerror(ENAMETOOLONG));
-  if (!strchr(spec, '/') && !ends_with(spec, ".yaml") && !ends_with(spec, ".yml") &&
-      !find_shipped(spec, path) && !is_file(spec))
-    return unknown_model(spec);
+  if (!is_path(spec) && !find_shipped(spec, path) && !is_file(spec)) return unknown_model(spec);
   if (path[0] == '\0') strcpy(path, spec);
   return open_file(path, model);
 }

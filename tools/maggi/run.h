@@ -6,16 +6,18 @@
 
 #include "formulation.h"
 #include "rows.h"
+#include "values.h"
 
 typedef struct run {
   /* asked for */
   maggi_data *data;
   maggi_penalty *penalty; /* NULL: Maggi's formulation                                   */
   const formulation *formulation;
-  rows *rows;      /* rows->table.file NULL: no rows                                     */
-  maggi_grid grid; /* points of time                                                     */
-  long every;      /* steps from row to row                                              */
-  int each_energy; /* look at the energy after each step, else every few                 */
+  const values *values; /* of objectives, NULL: not wanted                               */
+  rows *rows;           /* rows->table.file NULL: no rows                                     */
+  maggi_grid grid;      /* points of time                                                     */
+  long every;           /* steps from row to row                                              */
+  int each_energy;      /* look at the energy after each step, else every few                 */
   int show_progress;
 
   /* found */

@@ -185,7 +185,8 @@ static int open_files(files *f, const request *want, const study *s)
   status = study_output(s, want->states);
   if (status == STATUS_DONE) status = study_output(s, want->csv);
   if (status == STATUS_DONE) status = study_output(s, want->study.plot);
-  if (status == STATUS_DONE && want->study.plot) status = script_check(want->study.plot);
+  if (status == STATUS_DONE && want->study.plot)
+    status = script_check(&script_plot, want->study.plot);
   interrupt_catch(); /* before there is a file to leave behind */
   if (status == STATUS_DONE && want->states) status = table_open(&f->states, want->states);
   if (status == STATUS_DONE && want->csv) status = table_open(&f->csv, want->csv);
@@ -210,11 +211,11 @@ static int compute(report *r, gradients *g, files *f, const request *want)
 
 static int draw(const report *r, const char *out)
 {
-  FILE *input = script_input();
+  FILE *input = script_input(&script_plot);
 
   if (!input) return STATUS_FAILED;
   report_json(r, input);
-  return script_draw(input, out);
+  return script_draw(&script_plot, input, out);
 }
 
 /* Write the files, then the report: exit status. */

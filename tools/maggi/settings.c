@@ -50,35 +50,86 @@ int settings_add(settings *s, char *text)
   return 0;
 }
 
-static int unknown_path(const maggi_model *m, const char *path)
+static int unknown_name(const maggi_model *m, const char *name)
 {
   maggi_model_info info;
   nearest n;
   int i;
 
   maggi_model_get_info(m, &info);
-  nearest_init(&n, path);
+  nearest_init(&n, name);
   for (i = 0; i < info.parameters; ++i) nearest_offer(&n, maggi_parameter_path(m, i));
-  return message_fail(STATUS_USAGE, "--set: no parameter \"%s\" in model %s%s", path, info.name,
+  for (i = 0; maggi_model_design(m, i); ++i) nearest_offer(&n, maggi_model_design(m, i));
+  return message_fail(STATUS_USAGE, "--set: no parameter \"%s\" in model %s%s", name, info.name,
                       nearest_hint(&n));
+}
+
+static int is_design(const maggi_model *m, const char *name)
+{
+  int i;
+
+  for (i = 0; maggi_model_design(m, i); ++i)
+    if (strcmp(maggi_model_design(m, i), name) == 0) return 1;
+  return 0;
+}
+
+static int fail_data(const setting *e, const maggi_data *d, maggi_status status)
+{
+  const char *reason = maggi_data_message(d);
+
+  return message_fail(status == MAGGI_E_MEMORY ? STATUS_FAILED : STATUS_USAGE, "--set %s=%s: %s",
+                      e->path, e->text, reason[0] ? reason : maggi_status_text(status));
+}
+
+static int out_of_memory(void)
+{
+  return message_fail(STATUS_FAILED, "out of memory");
+}
+
+/* Add the design parameter of a setting and set it, and those before, to their values. */
+static int set_design(const setting *e, maggi_data *d, maggi_design *design, double *values)
+{
+  char text[256];
+  maggi_status status;
+
+  status = maggi_design_select(design, e->path, text, sizeof text);
+  if (status == MAGGI_E_MEMORY) return out_of_memory();
+  if (status != MAGGI_OK) return message_fail(STATUS_USAGE, "--set %s: %s", e->path, text);
+  values[maggi_design_number(design) - 1] = e->value;
+  status = maggi_design_set(design, d, values);
+  return status == MAGGI_OK ? STATUS_DONE : fail_data(e, d, status);
+}
+
+/* Those settings that are no paths. */
+static int apply_design(const settings *s, const maggi_model *m, maggi_data *d)
+{
+  maggi_design *design = NULL;
+  double *values = calloc((size_t)s->number + 1, sizeof *values);
+  int i, status = STATUS_DONE;
+
+  if (!values || maggi_design_create(d, &design) != MAGGI_OK) status = out_of_memory();
+  for (i = 0; i < s->number && status == STATUS_DONE; ++i)
+    if (maggi_parameter_find(m, s->entry[i].path) < 0)
+      status = set_design(&s->entry[i], d, design, values);
+  maggi_design_free(design);
+  free(values);
+  return status;
 }
 
 int settings_apply(const settings *s, const maggi_model *m, maggi_data *d)
 {
   const setting *e;
-  const char *reason;
   maggi_status status;
-  int i, index;
+  int i, index, designs = 0;
 
   for (i = 0; i < s->number; ++i) {
     e = &s->entry[i];
     index = maggi_parameter_find(m, e->path);
-    if (index < 0) return unknown_path(m, e->path);
+    if (index < 0 && !is_design(m, e->path)) return unknown_name(m, e->path);
+    designs += index < 0;
+    if (index < 0) continue;
     status = maggi_data_set_parameter(d, index, e->value);
-    if (status == MAGGI_OK) continue;
-    reason = maggi_data_message(d);
-    return message_fail(STATUS_USAGE, "--set %s=%s: %s", e->path, e->text,
-                        reason[0] ? reason : maggi_status_text(status));
+    if (status != MAGGI_OK) return fail_data(e, d, status);
   }
-  return STATUS_DONE;
+  return designs ? apply_design(s, m, d) : STATUS_DONE;
 }

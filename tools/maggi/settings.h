@@ -1,11 +1,12 @@
-/* --set PATH=VALUE: parameters that differ from the model file. */
+/* --set PATH=VALUE: parameters that differ from the model file: PATH is that of a number of the model or
+ * the name of a design parameter, which is set after all paths. */
 #ifndef TOOL_SETTINGS_H
 #define TOOL_SETTINGS_H
 
 #include <maggi/maggi.h>
 
 typedef struct setting {
-  const char *path; /* of argv */
+  const char *path; /* or name; of argv */
   const char *text; /* of argv */
   double value;
 } setting;

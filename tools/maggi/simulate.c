@@ -1,6 +1,10 @@
 /* maggi simulate: from the command line to a CSV and a summary. */
+#ifndef _XOPEN_SOURCE
+#define _XOPEN_SOURCE 700 /* mkdtemp */
+#endif
 #include <errno.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -12,7 +16,9 @@
 #include "message.h"
 #include "models.h"
 #include "options.h"
+#include "page.h"
 #include "plan.h"
+#include "record.h"
 #include "rows.h"
 #include "run.h"
 #include "settings.h"
@@ -27,6 +33,10 @@ typedef struct request {
   long every;       /* 0: not given */
   const char *out;
   const char *reactions;
+  const char *report;
+  char temporary[64]; /* folder of the table when only the report is wanted, or "" */
+  char table[80];     /* the table in it                                          */
+  int objectives;
   int energy;
   int json;
   settings set;
@@ -40,6 +50,8 @@ enum {
   EVERY,
   ENERGY,
   REACTIONS,
+  REPORT,
+  OBJECTIVES,
   SET,
   FORMULATION,
   PENALTY,
@@ -55,6 +67,8 @@ static const option_def simulate_options[] = {
     [EVERY] = {"--every", OPTION_VALUE, "a number of steps"},
     [ENERGY] = {"--energy", OPTION_FLAG, NULL},
     [REACTIONS] = {"--reactions", OPTION_VALUE, "names of bodies, or all"},
+    [REPORT] = {"--report", OPTION_VALUE, "a file name"},
+    [OBJECTIVES] = {"--objectives", OPTION_FLAG, NULL},
     [SET] = {"--set", OPTION_LIST, "PATH=VALUE"},
     [FORMULATION] = {"--formulation", OPTION_VALUE, "maggi or penalty"},
     [PENALTY] = {"--penalty", OPTION_VALUE, "a stiffness"},
@@ -88,6 +102,11 @@ static int take(request *r, options *o, int id)
   case REACTIONS:
     r->reactions = o->value;
     return 0;
+  case REPORT:
+    return options_file("--report", o->value, &r->report);
+  case OBJECTIVES:
+    r->objectives = 1;
+    return 0;
   case SET:
     return settings_add(&r->set, o->value);
   case ENERGY:
@@ -119,10 +138,40 @@ static int fail_data(const request *want, const maggi_data *d, maggi_status stat
                       reason[0] ? reason : maggi_status_text(status));
 }
 
+static FILE *summary_file(const request *want)
+{
+  return want->out && strcmp(want->out, "-") == 0 ? stderr : stdout;
+}
+
+/* The objectives that the model declares, if they are wanted. */
+static int evaluate(run *r, const request *want, values *v)
+{
+  int status;
+
+  if (!want->objectives && !want->report) return STATUS_DONE;
+  status = values_compute(v, r->rows->model, &want->set, &want->formulation, want->tolerance,
+                          &r->grid, want->model, want->objectives);
+  if (status == STATUS_DONE) r->values = v;
+  if (status != STATUS_INTERRUPTED) return status;
+  r->interrupted = 1; /* the rows are there all the same */
+  return STATUS_DONE;
+}
+
+/* The table and what stands beside it: both appear, or none. */
+static int write_files(run *r, record *log)
+{
+  int status = record_write(log, r);
+
+  if (status == STATUS_DONE) status = table_close(&r->rows->table);
+  if (status == STATUS_DONE) status = record_close(log);
+  return status;
+}
+
 /* Simulate with the table open; leaves it closed. */
-static int simulate_rows(run *r, const request *want)
+static int simulate_rows(run *r, const request *want, record *log)
 {
   maggi_status status;
+  values found;
   int written;
 
   r->formulation = &want->formulation;
@@ -137,21 +186,29 @@ static int simulate_rows(run *r, const request *want)
     table_discard(&r->rows->table);
     return STATUS_INTERRUPTED;
   }
-  written = table_close(&r->rows->table);
+  memset(&found, 0, sizeof found);
+  written = r->interrupted ? STATUS_DONE : evaluate(r, want, &found);
+  if (written == STATUS_DONE && want->out) written = write_files(r, log);
+  if (written == STATUS_DONE) {
+    note_surprises(r, want);
+    (want->json ? summary_json : summary_text)(r, want->temporary[0] ? NULL : want->out,
+                                               summary_file(want));
+  }
+  table_discard(&r->rows->table);
+  values_free(&found);
+  r->values = NULL;
   if (written != STATUS_DONE) return written;
   return r->interrupted ? STATUS_INTERRUPTED : STATUS_DONE;
 }
 
-static int simulate_data(run *r, const request *want, const char *model_path)
+static int simulate_data(run *r, const request *want, record *log)
 {
-  int to_stdout = want->out && strcmp(want->out, "-") == 0;
-  FILE *summary = to_stdout ? stderr : stdout;
   int status;
 
   status = formulation_tolerance(&want->formulation, r->data, want->tolerance);
   if (status == STATUS_DONE) status = settings_apply(&want->set, r->rows->model, r->data);
   if (status != STATUS_DONE) return status;
-  if (want->out && table_is_same_file(want->out, model_path))
+  if (want->out && table_is_same_file(want->out, log->path))
     return message_fail(STATUS_FAILED, "%s: is the model file", want->out);
   interrupt_catch(); /* before there is a file to leave behind */
   if (want->out) {
@@ -160,16 +217,11 @@ static int simulate_data(run *r, const request *want, const char *model_path)
   }
   r->every = want->every > 0 ? want->every : 1;
   r->each_energy = want->energy || want->json;
-  r->show_progress = !(to_stdout && isatty(STDOUT_FILENO));
-
-  status = simulate_rows(r, want);
-  if (status != STATUS_DONE && status != STATUS_INTERRUPTED) return status;
-  note_surprises(r, want);
-  (want->json ? summary_json : summary_text)(r, want->out, summary);
-  return status;
+  r->show_progress = !(summary_file(want) == stderr && isatty(STDOUT_FILENO));
+  return simulate_rows(r, want, log);
 }
 
-static int simulate_model(const request *want)
+static int simulate_model(const request *want, record *log)
 {
   char path[MODELS_PATH_MAX];
   maggi_model *m = NULL;
@@ -179,13 +231,17 @@ static int simulate_model(const request *want)
 
   status = models_open(want->model, &m, path);
   if (status != STATUS_DONE) return status;
+  log->model = want->model;
+  log->path = path;
+  log->set = &want->set;
+  log->tolerance = want->tolerance;
   memset(&r, 0, sizeof r);
   r.rows = &w;
-  status = rows_init(&w, m, want->energy, want->reactions);
+  status = rows_init(&w, m, want->energy || want->temporary[0], want->reactions);
   if (status == STATUS_DONE) status = plan_grid(&w.info, want->time, want->step, &r.grid);
   if (status == STATUS_DONE && maggi_data_create(m, &r.data) != MAGGI_OK)
     status = message_fail(STATUS_FAILED, "%s: out of memory", want->model);
-  if (status == STATUS_DONE) status = simulate_data(&r, want, path);
+  if (status == STATUS_DONE) status = simulate_data(&r, want, log);
   maggi_penalty_free(r.penalty);
   maggi_data_free(r.data);
   rows_free(&w);
@@ -193,32 +249,88 @@ static int simulate_model(const request *want)
   return status;
 }
 
-int command_simulate(int argc, char **argv)
+/* Somewhere for the table of a report alone. */
+static int make_temporary(request *want)
 {
-  request want;
-  options o;
-  int id, status = STATUS_DONE;
+  const char *place = getenv("TMPDIR");
+  int n;
 
-  memset(&want, 0, sizeof want);
-  formulation_init(&want.formulation);
-  if (settings_init(&want.set, argc)) return STATUS_FAILED;
+  if (!place || !place[0] || strlen(place) > 32) place = "/tmp";
+  n = snprintf(want->temporary, sizeof want->temporary, "%s/maggi-XXXXXX", place);
+  if (n >= (int)sizeof want->temporary || !mkdtemp(want->temporary)) {
+    want->temporary[0] = '\0';
+    return message_fail(STATUS_FAILED, "%s: %s", place, strerror(errno));
+  }
+  snprintf(want->table, sizeof want->table, "%s/run.csv", want->temporary);
+  want->out = want->table;
+  return STATUS_DONE;
+}
+
+static void remove_temporary(const request *want)
+{
+  char *name;
+
+  if (!want->temporary[0]) return;
+  name = record_name(want->table);
+  unlink(want->table);
+  if (name) unlink(name);
+  rmdir(want->temporary);
+  free(name);
+}
+
+/* The report is looked at first: a run may be long. */
+static int simulate_report(request *want, record *log)
+{
+  int status = page_check(want->report);
+
+  if (status == STATUS_DONE && !want->out) status = make_temporary(want);
+  if (status == STATUS_DONE) status = simulate_model(want, log);
+  if (status == STATUS_DONE)
+    status = page_draw(1, (const char *const *)&want->out, want->report, NULL);
+  remove_temporary(want);
+  return status;
+}
+
+static int simulate(request *want, int argc, char **argv)
+{
+  options o;
+  record log;
+  int id, status;
+
+  if (record_init(&log, argc, argv)) return STATUS_FAILED;
   options_init(&o, simulate_options, argc, argv);
   while ((id = options_next(&o)) != OPTIONS_END) {
     if (id == OPTIONS_HELP) {
       fputs(help_text("simulate"), stdout);
-      break;
+      record_free(&log);
+      return STATUS_DONE;
     }
-    if (take(&want, &o, id)) {
-      status = STATUS_USAGE;
-      break;
+    if (take(want, &o, id)) {
+      record_free(&log);
+      return STATUS_USAGE;
     }
   }
-  if (id == OPTIONS_END && !want.model)
+  if (!want->model)
     status = message_fail(STATUS_USAGE, "simulate: no MODEL given");
-  if (id == OPTIONS_END && want.model) {
-    status = formulation_check(&want.formulation, want.tolerance);
-    if (status == STATUS_DONE) status = simulate_model(&want);
-  }
+  else if (want->report && summary_file(want) == stderr)
+    status = message_fail(STATUS_USAGE, "--report: the table must be a file, not standard output");
+  else
+    status = formulation_check(&want->formulation, want->tolerance);
+  if (status == STATUS_DONE)
+    status = want->report ? simulate_report(want, &log) : simulate_model(want, &log);
+  record_free(&log);
+  return status;
+}
+
+int command_simulate(int argc, char **argv)
+{
+  request want;
+  int status;
+
+  memset(&want, 0, sizeof want);
+  formulation_init(&want.formulation);
+  if (settings_init(&want.set, argc)) return STATUS_FAILED;
+  status = simulate(&want, argc, argv);
   settings_free(&want.set);
   return status;
 }

@@ -83,6 +83,7 @@ void summary_text(const run *r, const char *out_name, FILE *out)
           run_energy_drift(r), r->energy.kinetic, r->energy.potential, r->energy.work);
   if (out_name)
     fprintf(out, "written       %ld rows to %s\n", r->rows->table.rows, r->rows->table.name);
+  if (r->values) values_text(r->values, out);
   print_state(r, out);
 }
 
@@ -113,38 +114,45 @@ static void json_formulation(json *j, const run *r)
   json_integer(j, "colours", state.colours);
 }
 
-void summary_json(const run *r, const char *out_name, FILE *out)
+void summary_members(const run *r, const char *out_name, json *j)
 {
   const maggi_model_info *info = &r->rows->info;
-  json j;
 
   maggi_get_coordinates(r->data, r->rows->q, r->rows->v, NULL);
+  json_string(j, "model", info->name);
+  json_integer(j, "bodies", info->bodies);
+  json_integer(j, "coordinates", info->coordinates);
+  json_integer(j, "dof", r->loops.dof);
+  json_integer(j, "loop_equations", info->loop_equations);
+  json_integer(j, "rank", r->loops.rank);
+  json_number(j, "time", maggi_get_time(r->data));
+  json_number(j, "step", r->grid.step);
+  json_number(j, "last_step", plan_last_step(&r->grid));
+  json_integer(j, "steps", r->done);
+  json_formulation(j, r);
+  json_integer(j, "evaluations", r->evaluations);
+  json_number(j, "wall_s", r->wall);
+  json_number(j, "us_per_evaluation", us_per_evaluation(r));
+  json_number(j, "max_loop_violation", r->violation_max);
+  json_number(j, "min_pivot_ratio", info->loops > 0 ? r->pivot_ratio_min : NAN);
+  json_number(j, "min_pivot_time", info->loops > 0 ? r->pivot_ratio_time : NAN);
+  json_integer(j, "changes_of_coordinates", r->loops.changes);
+  json_integer(j, "projections", r->loops.projections);
+  json_number(j, "energy_drift", run_energy_drift(r));
+  json_boolean(j, "interrupted", r->interrupted);
+  json_string(j, "out", out_name);
+  json_integer(j, "rows", r->rows->table.rows);
+  json_state(j, "q", r->rows, r->rows->q);
+  json_state(j, "v", r->rows, r->rows->v);
+  if (r->values) values_json(r->values, j);
+}
+
+void summary_json(const run *r, const char *out_name, FILE *out)
+{
+  json j;
+
   json_init(&j, out);
   json_open_object(&j, NULL);
-  json_string(&j, "model", info->name);
-  json_integer(&j, "bodies", info->bodies);
-  json_integer(&j, "coordinates", info->coordinates);
-  json_integer(&j, "dof", r->loops.dof);
-  json_integer(&j, "loop_equations", info->loop_equations);
-  json_integer(&j, "rank", r->loops.rank);
-  json_number(&j, "time", maggi_get_time(r->data));
-  json_number(&j, "step", r->grid.step);
-  json_number(&j, "last_step", plan_last_step(&r->grid));
-  json_integer(&j, "steps", r->done);
-  json_formulation(&j, r);
-  json_integer(&j, "evaluations", r->evaluations);
-  json_number(&j, "wall_s", r->wall);
-  json_number(&j, "us_per_evaluation", us_per_evaluation(r));
-  json_number(&j, "max_loop_violation", r->violation_max);
-  json_number(&j, "min_pivot_ratio", info->loops > 0 ? r->pivot_ratio_min : NAN);
-  json_number(&j, "min_pivot_time", info->loops > 0 ? r->pivot_ratio_time : NAN);
-  json_integer(&j, "changes_of_coordinates", r->loops.changes);
-  json_integer(&j, "projections", r->loops.projections);
-  json_number(&j, "energy_drift", run_energy_drift(r));
-  json_boolean(&j, "interrupted", r->interrupted);
-  json_string(&j, "out", out_name);
-  json_integer(&j, "rows", r->rows->table.rows);
-  json_state(&j, "q", r->rows, r->rows->q);
-  json_state(&j, "v", r->rows, r->rows->v);
+  summary_members(r, out_name, &j);
   json_close_object(&j);
 }

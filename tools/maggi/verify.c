@@ -46,11 +46,11 @@ static int propose(study *s)
 
 static int draw(const verify *v, const char *out)
 {
-  FILE *input = script_input();
+  FILE *input = script_input(&script_plot);
 
   if (!input) return STATUS_FAILED;
   verify_json(v, input);
-  return script_draw(input, out);
+  return script_draw(&script_plot, input, out);
 }
 
 static int verify_study(study *s, const request *want)
@@ -63,7 +63,7 @@ static int verify_study(study *s, const request *want)
   v.study = s;
   v.limit = want->limit;
   status = study_output(s, plot);
-  if (status == STATUS_DONE && plot) status = script_check(plot);
+  if (status == STATUS_DONE && plot) status = script_check(&script_plot, plot);
   interrupt_catch();
   if (status == STATUS_DONE) status = verify_run(&v);
   if (status == STATUS_DONE && plot) status = draw(&v, plot);

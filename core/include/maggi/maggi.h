@@ -249,9 +249,14 @@ typedef struct maggi_joint_spring_def {
  *                        u = velocity of the point - wind.  Below low_speed, which is positive, it
  *                        is linear in u and so has all derivatives at rest, where sqrt(u.u) has none
  *
+ *   MAGGI_FORCE_SPEED    controller of speed: on each of several joint coordinates the torque [N m]
+ *                          gain torque e |e|,   e = speed function(t) - |v|,
+ *                        |v| = sqrt(v.v + low_speed^2) of a point of a body; function is 1 if NULL
+ *   MAGGI_FORCE_SPEED_LINEAR  the same with gain torque e
+ *
  * The same load acts reversed on `reaction` when that names a body (NULL: the ground takes it).
  * Paths: forces.NAME.value.x .. (.value for a joint), forces.NAME.point.x ..; of a drag .density,
- * .coefficient, .area, .low_speed, .wind.x ..
+ * .coefficient, .area, .low_speed, .wind.x ..; of a controller .speed, .gain, .torque, .low_speed
  */
 typedef enum maggi_force_type {
   MAGGI_FORCE_GLOBAL,
@@ -260,6 +265,8 @@ typedef enum maggi_force_type {
   MAGGI_TORQUE_BODY,
   MAGGI_FORCE_JOINT,
   MAGGI_FORCE_DRAG,
+  MAGGI_FORCE_SPEED,
+  MAGGI_FORCE_SPEED_LINEAR,
   MAGGI_FORCE_TYPE_COUNT
 } maggi_force_type;
 
@@ -274,6 +281,11 @@ typedef struct maggi_force_def {
   double value[3];
   double density, coefficient, area, low_speed; /* of MAGGI_FORCE_DRAG, kg/m^3, -, m^2, m/s */
   double wind[3];                               /* m/s */
+  int ncoordinate;                              /* of MAGGI_FORCE_SPEED.., with low_speed: */
+  const char *const *coordinates;               /* named as in maggi_joint_spring_def */
+  double speed;                                 /* m/s */
+  double gain;                                  /* s^2/m^2, linear: s/m */
+  double torque;                                /* N m, on a coordinate that shifts N */
 } maggi_force_def;
 
 /* A tyre: the numbers of PAC2002, of which many wheels may share one set.  Names are those of property
@@ -579,6 +591,27 @@ typedef struct maggi_simulation_def {
   double step; /* [s] */
 } maggi_simulation_def;
 
+/* How a simulation starts, where not at the initial positions and velocities as they are given.
+ *
+ *   equilibrium  true: positions are those of static equilibrium.  All coordinates but those in `hold` and
+ *                guided ones move until their accelerations vanish, with everything at rest, functions
+ *                held at their values of t = 0, and of wheels the vertical springs alone.  Initial
+ *                positions are where the search begins, those of coordinates in `hold` are honoured.
+ *                Velocities are then as given: only the position is one of equilibrium
+ *   hold         names of coordinates, or of bodies for all coordinates of their joints; a guided
+ *                coordinate is held in any case                                       (nhold)
+ *   rolling      true: every wheel starts with the spin at which it rolls freely, kappa = 0, whatever
+ *                initial velocity its coordinate has.  Its body has to turn on the carrier by a
+ *                revolute joint through its centre, with a coordinate that is neither guided nor part
+ *                of a loop
+ */
+typedef struct maggi_start_def {
+  int equilibrium;
+  int nhold;
+  const char *const *hold;
+  int rolling;
+} maggi_start_def;
+
 /* Fill a definition with its defaults (zeros; ground; x axis, y axis of a wheel; scaling factors of a
  * tyre 1; NAN where documented). */
 void maggi_body_def_init(maggi_body_def *def);
@@ -593,6 +626,7 @@ void maggi_road_def_init(maggi_road_def *def);
 void maggi_wheel_def_init(maggi_wheel_def *def);
 void maggi_function_def_init(maggi_function_def *def);
 void maggi_sensor_def_init(maggi_sensor_def *def);
+void maggi_start_def_init(maggi_start_def *def);
 
 /* Number of coordinates of a joint, or -1 for a wrong type. */
 int maggi_joint_dof(maggi_joint_type type);
@@ -632,6 +666,7 @@ maggi_status maggi_builder_gravity(maggi_builder *b,
                                    const double gravity[3]); /* default 0,0,-9.81 */
 maggi_status maggi_builder_source(maggi_builder *b, const char *text);
 maggi_status maggi_builder_simulation(maggi_builder *b, const maggi_simulation_def *def);
+maggi_status maggi_builder_start(maggi_builder *b, const maggi_start_def *def);
 maggi_status maggi_builder_body(maggi_builder *b, const maggi_body_def *def);
 maggi_status maggi_builder_point_mass(maggi_builder *b, const maggi_point_mass_def *def);
 maggi_status maggi_builder_loop(maggi_builder *b, const maggi_loop_def *def);
@@ -644,6 +679,10 @@ maggi_status maggi_builder_road(maggi_builder *b, const maggi_road_def *def);
 maggi_status maggi_builder_wheel(maggi_builder *b, const maggi_wheel_def *def);
 maggi_status maggi_builder_function(maggi_builder *b, const maggi_function_def *def);
 maggi_status maggi_builder_sensor(maggi_builder *b, const maggi_sensor_def *def);
+/* Another value for the numbers whose path is `name`, or which match it as a glob, whatever the definitions
+ * above say; or for the design parameter of that name, after all paths.  Setting an initial position or
+ * velocity prescribes it.  Each name once. */
+maggi_status maggi_builder_set(maggi_builder *b, const char *name, double value);
 
 /* ----------------------------------------------------------------------------------- model */
 
@@ -740,8 +779,17 @@ const char *maggi_loop_kind(const maggi_model *m, int loop); /* "revolute", .., 
 int maggi_loop_rows(const maggi_model *m, int loop);
 const char *maggi_sensor_column_name(const maggi_model *m, int column);
 const char *maggi_sensor_column_unit(const maggi_model *m, int column);
+const char *maggi_coordinate_motion(const maggi_model *m, int coordinate); /* function, or NULL */
+const char *maggi_model_road(const maggi_model *m, int index, const char **type);
+const char *maggi_model_function(const maggi_model *m, int index, const char **type);
 int maggi_body_find(const maggi_model *m, const char *name);       /* -1: none */
 int maggi_coordinate_find(const maggi_model *m, const char *name); /* -1: none */
+
+/* Sensors and wheels as they were defined, in the order of the file: strings are owned by the model,
+ * numbers are those of the file.  A sensor has the columns 3 index .. 3 index + 2.  NULL outside the
+ * range.  since 0.5 */
+const maggi_sensor_def *maggi_model_sensor(const maggi_model *m, int index);
+const maggi_wheel_def *maggi_model_wheel(const maggi_model *m, int index);
 
 /* Parameters: path, unit and default value of the entry `index` of p; path is NULL and value NAN
  * outside the range.  find returns -1 for an unknown path. */
@@ -1008,6 +1056,14 @@ double maggi_grid_time(const maggi_grid *grid, long k); /* after k steps */
  *   vdv              (int s^4 dt)^(1/4)                  log(int exp(sharpness s) dt / T) / sharpness
  *   least_squares    sum (s - value)^2 / number over points (time, value) of a record
  *   sum              sum of weights times other objectives
+ *   norm             sqrt(int s^2 dt)
+ *   violation        int max(0, s)^2 dt: 0 where the signal stays below the target
+ *   slope            that of the straight line which fits the signal over another one, r, best:
+ *                      (T int r s dt - int r dt int s dt) / (T int r^2 dt - (int r dt)^2)
+ *
+ * With a window, integrals and extrema are those between its ends, T is its length, and terminal is s
+ * there.  With a reference, s = signal - its value at an end of the window - target; that value moves
+ * with the motion, and the derivative knows it.
  *
  * Integrals are those of the piecewise polynomial of degree 5 through the samples; between samples
  * (maximum, value, least_squares) s is that polynomial too.  The sample before a last step shorter than
@@ -1028,8 +1084,20 @@ typedef enum maggi_objective_type {
   MAGGI_OBJECTIVE_TERMINAL,
   MAGGI_OBJECTIVE_LEAST_SQUARES,
   MAGGI_OBJECTIVE_SUM,
+  MAGGI_OBJECTIVE_NORM,
+  MAGGI_OBJECTIVE_VIOLATION,
+  MAGGI_OBJECTIVE_SLOPE,
   MAGGI_OBJECTIVE_TYPE_COUNT
 } maggi_objective_type;
+
+/* What is subtracted from a signal besides the target: nothing, its value at the begin of the window or
+ * at the end. */
+typedef enum maggi_reference_type {
+  MAGGI_REFERENCE_NONE,
+  MAGGI_REFERENCE_INITIAL,
+  MAGGI_REFERENCE_FINAL,
+  MAGGI_REFERENCE_TYPE_COUNT
+} maggi_reference_type;
 
 /* A scalar made of several signals: returns g(t, signals) and fills its gradient, n numbers. */
 typedef double (*maggi_signal_function)(void *context, double t, int n, const double *signals,
@@ -1039,6 +1107,10 @@ typedef double (*maggi_signal_function)(void *context, double t, int n, const do
  *
  *   signal     name, or, when `function` is there, NULL and nsignal names in `signals`
  *   target     subtracted; default 0
+ *   reference  of integral, integral_square, mean, mean_square, rms, rmq, vdv and norm
+ *   from, to   window [s], NAN: begin and end of the simulation, which are the defaults.  Not of value,
+ *              least_squares and sum; of terminal, `to` alone
+ *   against    of slope: name of the other signal
  *   sharpness  of smooth_maximum, positive, in one over the unit of the signal
  *   times      of value and least_squares, in rising order          (number)
  *   values     of least_squares                                     (number)
@@ -1055,6 +1127,9 @@ typedef struct maggi_objective_def {
   void *context;
   double target;
   double sharpness;
+  maggi_reference_type reference;
+  double from, to;
+  const char *against;
   int number;
   const double *times;
   const double *values;
@@ -1086,6 +1161,8 @@ void maggi_objective_def_init(maggi_objective_def *def);
 void maggi_design_def_init(maggi_design_def *def);
 const char *maggi_objective_type_name(maggi_objective_type type); /* "integral", .. */
 int maggi_objective_type_find(const char *name);
+const char *maggi_reference_type_name(maggi_reference_type type); /* "none", "initial", "final" */
+int maggi_reference_type_find(const char *name);
 
 /* Declare them in a model; as the other maggi_builder_.. */
 maggi_status maggi_builder_objective(maggi_builder *b, const maggi_objective_def *def);
@@ -1093,6 +1170,7 @@ maggi_status maggi_builder_design(maggi_builder *b, const maggi_design_def *def)
 
 /* Names of those declared in a model, owned by it, NULL outside the range. */
 const char *maggi_model_objective(const maggi_model *m, int index);
+const maggi_objective_def *maggi_model_objective_def(const maggi_model *m, int index);
 const char *maggi_model_design(const maggi_model *m, int index);
 
 /* An objective to be evaluated: of a definition; or by name, one declared in the model or
