@@ -208,8 +208,158 @@ static void test_rest(void)
   test_free(d, m);
 }
 
+/* ------------------------------------------------------------------------------------- roads */
+
+static maggi_model *obstacles(void)
+{
+  return test_file("wheeled-frame-obstacles.yaml");
+}
+
+/* height, its slope, and the slope of the plane of a wheel */
+static void height(const maggi_data *d, int road, double x, double h[3])
+{
+  const maggi_topo *t = &d->t;
+
+  maggi_road_height(t->roadkind[road], t->roadadr[road], t->roadn[road], t->roadspline[road], t->np,
+                    d->p, t->nspline, (void *)d->spline0, x, h);
+}
+
+/* cylinders where they are given, level between them, and fillets that join both with two derivatives */
+static void test_bumps(void)
+{
+  maggi_model *m = obstacles();
+  maggi_data *d = test_start(m);
+  const double c = sqrt(0.03 * (4.0 - 0.03)), f = 0.15, e = 1e-4;
+  double at[3], low[3], high[3], x;
+  int i, k, end;
+
+  for (k = 0; k < 3; ++k) {
+    height(d, 0, 4.0 + 5.0 * k, at);
+    CHECK_NEAR(at[0], 0.03, 1e-13, 0.0);
+    CHECK(at[1] == 0.0 && fabs(at[2]) < 1e-12);
+    height(d, 0, 4.0 + 5.0 * k - 0.1, at);
+    CHECK_NEAR(at[0], sqrt(4.0 - 0.01) - 1.97, 1e-12, 0.0);
+    CHECK_NEAR(at[2], 0.1 / sqrt(4.0 - 0.01), 1e-12, 0.0);
+    for (end = -1; end <= 1; end += 2) {
+      height(d, 0, 4.0 + 5.0 * k + end * (c + f + 1e-9), at);
+      CHECK(at[0] == 0.0 && at[1] == 0.0 && at[2] == 0.0);
+      for (i = 0; i < 2; ++i) { /* both ends of a fillet: no jump of h, h', h'' */
+        x = 4.0 + 5.0 * k + end * (c + (i ? f : -f));
+        height(d, 0, x - e, low);
+        height(d, 0, x, at);
+        height(d, 0, x + e, high);
+        CHECK_NEAR(high[0] + low[0] - 2.0 * at[0], 0.0, 0.0, 1e-8);
+        CHECK_NEAR((high[0] - low[0]) / (2.0 * e), at[2], 0.0, 1e-7);
+        CHECK_NEAR((high[2] - at[2]) / e, (at[2] - low[2]) / e, 0.0, 5e-3);
+      }
+      x = 4.0 + 5.0 * k + end * c;
+      height(d, 0, x - e, low);
+      height(d, 0, x, at);
+      height(d, 0, x + e, high);
+      CHECK(at[0] > 0.0 && at[0] < 0.02);
+      CHECK_NEAR((high[0] - low[0]) / (2.0 * e), at[2], 0.0, 1e-7);
+    }
+  }
+  for (x = 5.0; x < 8.0; x += 0.1) {
+    height(d, 0, x, at);
+    CHECK(at[0] == 0.0);
+  }
+  test_set(m, d, "roads.bumps.fillet", 0.0);
+  CHECK(maggi_data_reset(d) == MAGGI_OK);
+  height(d, 0, 4.0 + c - 1e-6, at);
+  CHECK_NEAR(at[0], 1e-6 * c / 1.97, 1e-5, 0.0);
+  height(d, 0, 4.0 + c, at);
+  CHECK(fabs(at[0]) < 1e-15);
+  test_free(d, m);
+}
+
+/* through its points, with the slope that it has, straight on beyond them */
+static void test_profile(void)
+{
+  static const double px[] = {-3, 0, 2, 3, 4.5, 6, 8, 11, 15};
+  static const double pz[] = {0, 0, 0.004, 0.006, 0.015, 0.01, -0.01, 0.005, 0};
+  maggi_model *m = obstacles();
+  maggi_data *d = test_start(m);
+  double at[3], low[3], high[3], x;
+  int i;
+
+  for (i = 0; i < 9; ++i) {
+    height(d, 1, px[i], at);
+    CHECK_NEAR(at[0], pz[i], 0.0, 1e-15);
+  }
+  for (x = -4.05; x < 17.0; x += 0.1) {
+    height(d, 1, x - 1e-4, low);
+    height(d, 1, x, at);
+    height(d, 1, x + 1e-4, high);
+    CHECK_NEAR((high[0] - low[0]) / 2e-4, at[1], 0.0, 1e-9);
+    CHECK(at[2] == 0.0);
+    if (x < px[0] || x > px[8]) CHECK_NEAR(high[1], low[1], 0.0, 1e-14);
+    height(d, 2, x, at);
+    CHECK_NEAR(at[0], (x + 3.0) * 0.05 / 33.0, 0.0, 1e-15);
+    CHECK_NEAR(at[1], 0.05 / 33.0, 1e-13, 0.0);
+  }
+  test_free(d, m);
+}
+
+/* a bump pushes up by its height below the wheel, not back; dampers of tyres feel how it rises */
+static void test_over_bump(void)
+{
+  maggi_model *m = obstacles();
+  maggi_data *d = test_data(m);
+  const double dx = 0.1, h = sqrt(4.0 - dx * dx) - 1.97, level = 784944.0 * (0.548 - 0.533);
+  double s[15], rise;
+
+  test_set(m, d, "roads.bumps.first", 1.5 + dx);
+  CHECK(maggi_data_reset(d) == MAGGI_OK);
+  maggi_get_sensors(d, s);
+  CHECK_NEAR(s[5], level + 784944.0 * h, 1e-11, 0.0);
+  CHECK_NEAR(s[6], 0.015 + h, 1e-12, 0.0);
+  CHECK_NEAR(s[7], 0.533 - h, 1e-13, 0.0);
+  CHECK(s[8] > s[7] && s[8] < 0.548);
+  test_set(m, d, "tyres.truck.vertical_damping", 1e3);
+  CHECK(maggi_data_reset(d) == MAGGI_OK);
+  maggi_get_sensors(d, s);
+  rise = dx / sqrt(4.0 - dx * dx) * 10.0;
+  CHECK_NEAR(s[5], level + 784944.0 * h + 1e3 * rise, 1e-10, 0.0);
+  test_free(d, m);
+}
+
+/* slopes of the formula by central differences, on both sides of the vehicle; none in the air */
+static void test_slopes(void)
+{
+  maggi_tyre_def def;
+  char message[200];
+  double slip[5] = {0.03, -0.06, 0.01, 27000.0, 12.0}, f[6], low[6], high[6], g[3], h = 1e-6;
+  int k, side;
+
+  CHECK(maggi_tyre_load(MAGGI_MODELS_DIR "/tyres/pac2002_315_80R22_5.tir", &def, message,
+                        sizeof message) == MAGGI_OK);
+  for (side = MAGGI_LEFT; side <= MAGGI_RIGHT; ++side) {
+    for (k = 0; k < 2; ++k) {
+      slip[k] += h;
+      maggi_tyre_forces(&def, (maggi_side)side, slip, high, NULL);
+      slip[k] -= 2.0 * h;
+      maggi_tyre_forces(&def, (maggi_side)side, slip, low, NULL);
+      slip[k] += h;
+      maggi_tyre_forces(&def, (maggi_side)side, slip, f, g);
+      CHECK_NEAR(g[1 - k], (high[k] - low[k]) / (2.0 * h), 1e-7, 0.0);
+    }
+    CHECK(g[0] < 0.0 && g[1] > 0.0 && g[2] > 0.1 && g[2] < 1.0);
+  }
+  slip[3] = 0.0;
+  maggi_tyre_forces(&def, MAGGI_LEFT, slip, f, g);
+  for (k = 0; k < 6; ++k) CHECK(f[k] == 0.0);
+  for (k = 0; k < 3; ++k) CHECK(g[k] == 0.0);
+  CHECK(maggi_tyre_load("none.tir", &def, message, sizeof message) == MAGGI_E_FILE);
+  CHECK(strstr(message, "none.tir: cannot be opened") != NULL);
+}
+
 int main(void)
 {
+  test_bumps();
+  test_profile();
+  test_over_bump();
+  test_slopes();
   test_reference();
   test_signs();
   test_straight();
