@@ -1408,6 +1408,100 @@ static void sensors_call_b_d(const maggi_topo *t, double *x[], double *xd[], dou
                     (void *)xbd[15]);
 }
 
+static int size_nstate(const maggi_topo *t)
+{
+  return t->nstate;
+}
+
+static const maggi_head_argument filter_rates_arguments[] = {
+    {"p", MAGGI_HEAD_INPUT, size_np},
+    {"sensor", MAGGI_HEAD_INPUT, size_nsensor_3},
+    {"y", MAGGI_HEAD_INPUT, size_nstate},
+    {"yrate", MAGGI_HEAD_OUTPUT, size_nstate},
+};
+
+static void filter_rates_call(const maggi_topo *t, double *x[])
+{
+  maggi_filter_rates(t, (void *)x[0], (void *)x[1], (void *)x[2], (void *)x[3]);
+}
+
+static void filter_rates_call_d(const maggi_topo *t, double *x[], double *xd[])
+{
+  maggi_filter_rates_d(t, (void *)x[0], (void *)xd[0], (void *)x[1], (void *)xd[1], (void *)x[2],
+                       (void *)xd[2], (void *)x[3], (void *)xd[3]);
+}
+
+#ifndef MAGGI_COMPLEX
+static void filter_rates_call_dv(const maggi_topo *t, double *x[], double *xd[])
+{
+  maggi_filter_rates_dv(t, (void *)x[0], (void *)xd[0], (void *)x[1], (void *)xd[1], (void *)x[2],
+                        (void *)xd[2], (void *)x[3], (void *)xd[3], MAGGI_NDIR);
+}
+#else
+#define filter_rates_call_dv NULL
+#endif
+
+static void filter_rates_call_b(const maggi_topo *t, double *x[], double *xb[])
+{
+  maggi_filter_rates_b(t, (void *)x[0], (void *)xb[0], (void *)x[1], (void *)xb[1], (void *)x[2],
+                       (void *)xb[2], (void *)x[3], (void *)xb[3]);
+}
+
+static void filter_rates_call_b_d(const maggi_topo *t, double *x[], double *xd[], double *xb[],
+                                  double *xbd[])
+{
+  maggi_filter_rates_b_d(t, (void *)x[0], (void *)xd[0], (void *)xb[0], (void *)xbd[0],
+                         (void *)x[1], (void *)xd[1], (void *)xb[1], (void *)xbd[1], (void *)x[2],
+                         (void *)xd[2], (void *)xb[2], (void *)xbd[2], (void *)x[3], (void *)xd[3],
+                         (void *)xb[3], (void *)xbd[3]);
+}
+
+static int size_nfilter(const maggi_topo *t)
+{
+  return t->nfilter;
+}
+
+static const maggi_head_argument filter_outputs_arguments[] = {
+    {"p", MAGGI_HEAD_INPUT, size_np},
+    {"y", MAGGI_HEAD_INPUT, size_nstate},
+    {"output", MAGGI_HEAD_OUTPUT, size_nfilter},
+};
+
+static void filter_outputs_call(const maggi_topo *t, double *x[])
+{
+  maggi_filter_outputs(t, (void *)x[0], (void *)x[1], (void *)x[2]);
+}
+
+static void filter_outputs_call_d(const maggi_topo *t, double *x[], double *xd[])
+{
+  maggi_filter_outputs_d(t, (void *)x[0], (void *)xd[0], (void *)x[1], (void *)xd[1], (void *)x[2],
+                         (void *)xd[2]);
+}
+
+#ifndef MAGGI_COMPLEX
+static void filter_outputs_call_dv(const maggi_topo *t, double *x[], double *xd[])
+{
+  maggi_filter_outputs_dv(t, (void *)x[0], (void *)xd[0], (void *)x[1], (void *)xd[1], (void *)x[2],
+                          (void *)xd[2], MAGGI_NDIR);
+}
+#else
+#define filter_outputs_call_dv NULL
+#endif
+
+static void filter_outputs_call_b(const maggi_topo *t, double *x[], double *xb[])
+{
+  maggi_filter_outputs_b(t, (void *)x[0], (void *)xb[0], (void *)x[1], (void *)xb[1], (void *)x[2],
+                         (void *)xb[2]);
+}
+
+static void filter_outputs_call_b_d(const maggi_topo *t, double *x[], double *xd[], double *xb[],
+                                    double *xbd[])
+{
+  maggi_filter_outputs_b_d(t, (void *)x[0], (void *)xd[0], (void *)xb[0], (void *)xbd[0],
+                           (void *)x[1], (void *)xd[1], (void *)xb[1], (void *)xbd[1], (void *)x[2],
+                           (void *)xd[2], (void *)xb[2], (void *)xbd[2]);
+}
+
 static const maggi_head_argument kinetic_energy_arguments[] = {
     {"p", MAGGI_HEAD_INPUT, size_np},
     {"I", MAGGI_HEAD_INPUT, size_nbody_10},
@@ -1576,6 +1670,10 @@ const maggi_head maggi_heads[] = {
       reactions_call_b, reactions_call_b_d},
   {"maggi_sensors", 16, sensors_arguments, sensors_call, sensors_call_d, sensors_call_dv,
       sensors_call_b, sensors_call_b_d},
+  {"maggi_filter_rates", 4, filter_rates_arguments, filter_rates_call, filter_rates_call_d,
+      filter_rates_call_dv, filter_rates_call_b, filter_rates_call_b_d},
+  {"maggi_filter_outputs", 3, filter_outputs_arguments, filter_outputs_call, filter_outputs_call_d,
+      filter_outputs_call_dv, filter_outputs_call_b, filter_outputs_call_b_d},
   {"maggi_kinetic_energy", 5, kinetic_energy_arguments, kinetic_energy_call, kinetic_energy_call_d,
       kinetic_energy_call_dv, kinetic_energy_call_b, kinetic_energy_call_b_d},
   {"maggi_potential_energy", 9, potential_energy_arguments, potential_energy_call,
@@ -1583,4 +1681,4 @@ const maggi_head maggi_heads[] = {
       potential_energy_call_b_d},
 };
 
-const int maggi_nhead = 29;
+const int maggi_nhead = 31;

@@ -1151,6 +1151,59 @@ void maggi_sensors_b_d(const maggi_topo *t, const double p[restrict t->np],
                        double s[restrict t->nsensor][3], double sd[restrict t->nsensor][3],
                        double sb[restrict t->nsensor][3], double sbd[restrict t->nsensor][3]);
 
+void maggi_filter_rates_d(const maggi_topo *t, const double p[restrict t->np],
+                          const double pd[restrict t->np],
+                          const double sensor[restrict t->nsensor][3],
+                          const double sensord[restrict t->nsensor][3],
+                          const double y[restrict t->nstate], const double yd[restrict t->nstate],
+                          double yrate[restrict t->nstate], double yrated[restrict t->nstate]);
+void maggi_filter_rates_dv(const maggi_topo *t, const double p[restrict t->np],
+                           const double pd[restrict t->np][MAGGI_NDIR],
+                           const double sensor[restrict t->nsensor][3],
+                           const double sensord[restrict t->nsensor][3][MAGGI_NDIR],
+                           const double y[restrict t->nstate],
+                           const double yd[restrict t->nstate][MAGGI_NDIR],
+                           double yrate[restrict t->nstate],
+                           double yrated[restrict t->nstate][MAGGI_NDIR], int nbdirs);
+void maggi_filter_rates_b(const maggi_topo *t, const double p[restrict t->np],
+                          double pb[restrict t->np], const double sensor[restrict t->nsensor][3],
+                          double sensorb[restrict t->nsensor][3],
+                          const double y[restrict t->nstate], double yb[restrict t->nstate],
+                          double yrate[restrict t->nstate], double yrateb[restrict t->nstate]);
+void maggi_filter_rates_b_d(const maggi_topo *t, const double p[restrict t->np],
+                            const double pd[restrict t->np], double pb[restrict t->np],
+                            double pbd[restrict t->np], const double sensor[restrict t->nsensor][3],
+                            const double sensord[restrict t->nsensor][3],
+                            double sensorb[restrict t->nsensor][3],
+                            double sensorbd[restrict t->nsensor][3],
+                            const double y[restrict t->nstate], const double yd[restrict t->nstate],
+                            double yb[restrict t->nstate], double ybd[restrict t->nstate],
+                            double yrate[restrict t->nstate], double yrated[restrict t->nstate],
+                            double yrateb[restrict t->nstate], double yratebd[restrict t->nstate]);
+
+void maggi_filter_outputs_d(const maggi_topo *t, const double p[restrict t->np],
+                            const double pd[restrict t->np], const double y[restrict t->nstate],
+                            const double yd[restrict t->nstate], double output[restrict t->nfilter],
+                            double outputd[restrict t->nfilter]);
+void maggi_filter_outputs_dv(const maggi_topo *t, const double p[restrict t->np],
+                             const double pd[restrict t->np][MAGGI_NDIR],
+                             const double y[restrict t->nstate],
+                             const double yd[restrict t->nstate][MAGGI_NDIR],
+                             double output[restrict t->nfilter],
+                             double outputd[restrict t->nfilter][MAGGI_NDIR], int nbdirs);
+void maggi_filter_outputs_b(const maggi_topo *t, const double p[restrict t->np],
+                            double pb[restrict t->np], const double y[restrict t->nstate],
+                            double yb[restrict t->nstate], double output[restrict t->nfilter],
+                            double outputb[restrict t->nfilter]);
+void maggi_filter_outputs_b_d(const maggi_topo *t, const double p[restrict t->np],
+                              const double pd[restrict t->np], double pb[restrict t->np],
+                              double pbd[restrict t->np], const double y[restrict t->nstate],
+                              const double yd[restrict t->nstate], double yb[restrict t->nstate],
+                              double ybd[restrict t->nstate], double output[restrict t->nfilter],
+                              double outputd[restrict t->nfilter],
+                              double outputb[restrict t->nfilter],
+                              double outputbd[restrict t->nfilter]);
+
 void maggi_kinetic_energy_d(const maggi_topo *t, const double p[restrict t->np],
                             const double pd[restrict t->np], const double I[restrict t->nbody][10],
                             const double Id[restrict t->nbody][10],

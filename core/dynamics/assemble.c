@@ -320,6 +320,7 @@ static maggi_status complete(maggi_data *d, double time)
   d->careless = 0;
   maggi_evaluate(d, time);
   d->pivot_ratio = d->stage_ratio;
+  maggi_evaluate_filters(d);
   status = maggi_check(d, time);
   if (status == MAGGI_OK) status = check_guides(d);
   d->ready = status == MAGGI_OK;
@@ -333,6 +334,7 @@ static maggi_status begin(maggi_data *d)
   d->message[0] = '\0';
   d->follower = NULL;
   maggi_plan_restart(d);
+  memset(d->y, 0, (size_t)d->t.nstate * sizeof(double));
   maggi_constants(d);
   return check_constants(d);
 }

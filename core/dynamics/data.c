@@ -77,8 +77,8 @@ maggi_status maggi_data_create(const maggi_model *m, maggi_data **data)
     maggi_data_free(d);
     return MAGGI_E_MEMORY;
   }
-  d->start = (maggi_node){.q = d->q0, .v = d->v0, .a = d->a0};
-  d->node = (maggi_node){.q = d->qn, .v = d->vn, .a = d->an};
+  d->start = (maggi_node){.q = d->q0, .v = d->v0, .a = d->a0, .y = d->y0, .yrate = d->yrate0};
+  d->node = (maggi_node){.q = d->qn, .v = d->vn, .a = d->an, .y = d->yn, .yrate = d->yraten};
   for (i = 0; i < m->nparameter; ++i) d->p[i] = m->parameter[i].value;
   memcpy(d->position_given, m->position_given, (nq - 1) * sizeof(int));
   memcpy(d->velocity_given, m->velocity_given, (nq - 1) * sizeof(int));

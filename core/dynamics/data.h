@@ -88,7 +88,15 @@
   X(qn, nq, "node from which the next step starts, positions")                                     \
   X(vn, nq, "velocities")                                                                          \
   X(an, nq, "accelerations")                                                                       \
-  X(q1, nq, "Newton: position before a step")
+  X(q1, nq, "Newton: position before a step")                                                      \
+  X(y, nstate, "states of filters")                                                                \
+  X(yrate, nstate, "their rates, by maggi_evaluate_filters")                                       \
+  X(weighted, nfilter, "what filters say, by maggi_results")                                       \
+  X(y0, nstate, "start of the step: states of filters")                                            \
+  X(yrate0, nstate, "their rates")                                                                 \
+  X(dys, nstate, "sums of their rates")                                                            \
+  X(yn, nstate, "node from which the next step starts: states of filters")                         \
+  X(yraten, nstate, "their rates")
 
 /* what the plan sizes */
 #define MAGGI_PLAN_VECTORS(X)                                                                      \
@@ -119,11 +127,16 @@ static inline int maggi_is_independent(const maggi_topo *t, int q)
 /* what has been computed of a state besides its evaluation: nothing; by maggi_balance; all results */
 enum { MAGGI_STALE, MAGGI_BALANCED, MAGGI_FRESH };
 
-/* a point of the integration: positions, velocities, accelerations of coordinates in the lists above */
+/* a point of the integration: positions, velocities, accelerations of coordinates, states of filters and
+ * their rates in the lists above */
 typedef struct maggi_node {
   double time, work, power;
-  double *q, *v, *a;
+  double *q, *v, *a, *y, *yrate;
 } maggi_node;
+
+/* rows of coefficients of a state between two nodes: q, v, a by q, v, a of the start, then of the end; states
+ * of filters by these and their rates, in columns 0, 1, 3, 4 */
+enum { MAGGI_BETWEEN = 4 };
 
 /* places that a node is copied between: `start`, `node`, the present state */
 typedef enum maggi_place { MAGGI_START, MAGGI_NODE, MAGGI_PRESENT, MAGGI_PLACES } maggi_place;
@@ -142,8 +155,8 @@ struct maggi_follower {
   /* after another evaluation there, with a new choice of coordinates */
   maggi_status (*renewed)(maggi_follower *f, double time);
   void (*copy)(maggi_follower *f, maggi_place to, maggi_place from);
-  /* the present state is c (q, v, a of `start`; q, v, a of `node`), see maggi_quintic */
-  void (*interpolate)(maggi_follower *f, const double c[3][6]);
+  /* the present state is c (q, v, a of `start`; q, v, a of `node`), see maggi_between */
+  void (*interpolate)(maggi_follower *f, const double c[MAGGI_BETWEEN][6]);
 };
 
 struct maggi_data {
@@ -223,9 +236,10 @@ void maggi_evaluate_positions(maggi_data *d, double time);
 void maggi_evaluate_factors(maggi_data *d); /* of the loops, and how near they are to singular */
 void maggi_evaluate(maggi_data *d, double time);       /* all, from q and vcol */
 void maggi_evaluate_given(maggi_data *d, double time); /* what results need, from q, v and a */
-int maggi_is_singular(const maggi_data *d);  /* whether the last evaluation cannot be trusted */
-void maggi_balance(maggi_data *d);           /* accelerations of bodies, forces, multipliers */
-void maggi_results(maggi_data *d);           /* what is computed only on demand */
+int maggi_is_singular(const maggi_data *d); /* whether the last evaluation cannot be trusted */
+void maggi_balance(maggi_data *d);          /* accelerations of bodies, forces, multipliers */
+void maggi_results(maggi_data *d);          /* what is computed only on demand */
+void maggi_evaluate_filters(maggi_data *d); /* rates of filters from the sensors of an evaluation */
 double maggi_violation(const maggi_data *d); /* largest |Phi|, NAN if one is */
 double maggi_smallest_pivot(const maggi_data *d, double *ratio, int *dep);
 int maggi_worst_loop(const maggi_data *d);
@@ -254,9 +268,9 @@ maggi_status maggi_equilibrium_create(const maggi_model *twin, maggi_equilibrium
 void maggi_equilibrium_free(maggi_equilibrium *e);
 maggi_status maggi_equilibrium_find(maggi_equilibrium *e, maggi_data *d);
 
-/* integrate.c: q, H v, H^2 a at the part s of a step of length H from those at its ends: rows of c by q, v, a
- * at the start, then at the end */
-void maggi_quintic(double s, double H, double c[3][6]);
+/* integrate.c: state at the part s of a step of length H from those at its ends: q, v, a by the quintic, states
+ * of filters by the cubic */
+void maggi_between(double s, double H, double c[MAGGI_BETWEEN][6]);
 
 /* snapshot.c: all that the next steps depend on */
 typedef struct maggi_snapshot maggi_snapshot;

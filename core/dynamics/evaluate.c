@@ -182,7 +182,15 @@ void maggi_results(maggi_data *d)
   maggi_sensors(t, d->p, d->origin, d->spring0, d->q, d->v, ARRAY(d->A), ARRAY(d->x), ARRAY(d->r),
                 ARRAY(d->Z), ARRAY(d->rv), ARRAY(d->Za), ARRAY(d->ra), d->lambda, ARRAY(d->slip),
                 ARRAY(d->grip), d->sensor);
+  maggi_filter_outputs(t, d->p, d->y, d->weighted);
   d->fresh = MAGGI_FRESH;
+}
+
+void maggi_evaluate_filters(maggi_data *d)
+{
+  if (d->t.nstate == 0) return;
+  maggi_results(d);
+  maggi_filter_rates(&d->t, d->p, ARRAY(d->sensor), d->y, d->yrate);
 }
 
 double maggi_violation(const maggi_data *d)

@@ -10,7 +10,10 @@
  * a step one of whose stages falls there is taken in two parts, or goes beyond its end to a node
  * from which the next step starts; the state at the end is then interpolated between both nodes by
  * the quintic through positions, velocities and accelerations, which is exact to a higher order than
- * the method. */
+ * the method.
+ *
+ * States of filters go along: more components of y, whose slopes follow from the sensors of the same
+ * evaluations. */
 #include <math.h>
 #include <string.h>
 
@@ -31,11 +34,16 @@ static size_t bytes(const maggi_data *d)
   return (size_t)d->t.nq * sizeof(double);
 }
 
+static size_t filter_bytes(const maggi_data *d)
+{
+  return (size_t)d->t.nstate * sizeof(double);
+}
+
 static maggi_node node_at(const maggi_data *d, maggi_place place)
 {
   if (place == MAGGI_START) return d->start;
   if (place == MAGGI_NODE) return d->node;
-  return (maggi_node){d->time, d->work, d->power[0], d->q, d->v, d->a};
+  return (maggi_node){d->time, d->work, d->power[0], d->q, d->v, d->a, d->y, d->yrate};
 }
 
 static void copy(maggi_data *d, maggi_place to, maggi_place from)
@@ -45,9 +53,13 @@ static void copy(maggi_data *d, maggi_place to, maggi_place from)
   memcpy(target.q, source.q, bytes(d));
   memcpy(target.v, source.v, bytes(d));
   memcpy(target.a, source.a, bytes(d));
+  memcpy(target.y, source.y, filter_bytes(d));
+  memcpy(target.yrate, source.yrate, filter_bytes(d));
   source.q = target.q;
   source.v = target.v;
   source.a = target.a;
+  source.y = target.y;
+  source.yrate = target.yrate;
   if (to == MAGGI_START) {
     d->start = source;
   } else if (to == MAGGI_NODE) {
@@ -60,9 +72,13 @@ static void copy(maggi_data *d, maggi_place to, maggi_place from)
   if (d->follower) d->follower->copy(d->follower, to, from);
 }
 
-static int finish_stage(const maggi_data *d, int careful)
+/* an evaluation, with the rates of filters where it can be trusted */
+static int evaluate(maggi_data *d, double time, int careful)
 {
-  return careful && maggi_is_singular(d) ? SINGULAR : MAGGI_OK;
+  maggi_evaluate(d, time);
+  if (careful && maggi_is_singular(d)) return SINGULAR;
+  maggi_evaluate_filters(d);
+  return MAGGI_OK;
 }
 
 /* slopes of the last evaluation enter the sums with `weight`, the next evaluation is at the start
@@ -80,8 +96,11 @@ static int stage(maggi_data *d, double weight, double ahead, double time, int ca
     d->dus[i] += weight * d->acol[i];
     d->vcol[i] = d->v0[t->colq[i]] + ahead * d->acol[i];
   }
-  maggi_evaluate(d, time);
-  status = finish_stage(d, careful);
+  for (i = 0; i < t->nstate; ++i) {
+    d->dys[i] += weight * d->yrate[i];
+    d->y[i] = d->y0[i] + ahead * d->yrate[i];
+  }
+  status = evaluate(d, time, careful);
   if (status != MAGGI_OK || !d->follower) return status;
   return (int)d->follower->stage(d->follower, weight, ahead, time);
 }
@@ -93,7 +112,7 @@ static maggi_status evaluate_again(maggi_data *d, double time)
   int i;
 
   for (i = 0; i < t->nind; ++i) d->vcol[i] = d->v[t->colq[i]];
-  maggi_evaluate(d, time);
+  evaluate(d, time, 0);
   d->pivot_ratio = d->stage_ratio;
   return d->follower ? d->follower->renewed(d->follower, time) : MAGGI_OK;
 }
@@ -111,6 +130,8 @@ static int advance(maggi_data *d, double h, int careful)
   for (i = 0; i < t->nind; ++i) d->acol[i] = d->a0[t->colq[i]];
   memset(d->dqs, 0, bytes(d));
   memset(d->dus, 0, bytes(d));
+  memcpy(d->yrate, d->yrate0, filter_bytes(d));
+  memset(d->dys, 0, filter_bytes(d));
   status = stage(d, 1.0, 0.5 * h, time + 0.5 * h, careful);
   if (status != MAGGI_OK) return status;
   work += 2.0 * d->power[0];
@@ -122,10 +143,10 @@ static int advance(maggi_data *d, double h, int careful)
   work += d->power[0];
   for (i = 0; i < t->nq; ++i) d->q[i] = d->q0[i] + h / 6.0 * (d->dqs[i] + d->v[i]);
   for (i = 0; i < t->nind; ++i) d->vcol[i] = d->v0[t->colq[i]] + h / 6.0 * (d->dus[i] + d->acol[i]);
+  for (i = 0; i < t->nstate; ++i) d->y[i] = d->y0[i] + h / 6.0 * (d->dys[i] + d->yrate[i]);
   status = maggi_project(d, time + h);
   if (status != MAGGI_OK) return status;
-  maggi_evaluate(d, time + h);
-  status = finish_stage(d, careful);
+  status = evaluate(d, time + h, careful);
   if (status != MAGGI_OK) return status;
   if (d->follower) {
     status = (int)d->follower->end(d->follower, h, time + h, d->projections > projections);
@@ -141,7 +162,7 @@ static int advance(maggi_data *d, double h, int careful)
   return MAGGI_OK;
 }
 
-void maggi_quintic(double s, double H, double c[3][6])
+static void quintic(double s, double H, double c[3][6])
 {
   double s2 = s * s, s3 = s * s2;
 
@@ -165,18 +186,34 @@ void maggi_quintic(double s, double H, double c[3][6])
   c[2][0] = -c[2][3];
 }
 
+void maggi_between(double s, double H, double c[MAGGI_BETWEEN][6])
+{
+  double r = 1.0 - s;
+
+  quintic(s, H, c);
+  c[3][0] = r * r * (1.0 + 2.0 * s);
+  c[3][1] = H * s * r * r;
+  c[3][2] = 0.0;
+  c[3][3] = s * s * (3.0 - 2.0 * s);
+  c[3][4] = -H * s * s * r;
+  c[3][5] = 0.0;
+}
+
 /* state of `time` between the start and the end of the last step */
 static void interpolate(maggi_data *d, double time)
 {
   double H = d->node.time - d->start.time, s = (time - d->start.time) / H;
-  double c[3][6], e0, e1, e2, *x[3] = {d->q, d->v, d->a};
+  double c[MAGGI_BETWEEN][6], e0, e1, e2, *x[3] = {d->q, d->v, d->a};
   int i, k;
 
-  maggi_quintic(s, H, c);
+  maggi_between(s, H, c);
   for (k = 0; k < 3; ++k)
     for (i = 0; i < d->t.nq; ++i)
       x[k][i] = c[k][0] * d->q0[i] + c[k][1] * d->v0[i] + c[k][2] * d->a0[i] + c[k][3] * d->qn[i] +
                 c[k][4] * d->vn[i] + c[k][5] * d->an[i];
+  for (i = 0; i < d->t.nstate; ++i)
+    d->y[i] =
+        c[3][0] * d->y0[i] + c[3][1] * d->yrate0[i] + c[3][3] * d->yn[i] + c[3][4] * d->yraten[i];
   maggi_evaluate_given(d, time);
   e0 = d->node.work - d->start.work;
   e1 = H * d->start.power;

@@ -27,6 +27,14 @@ void maggi_get_sensors(maggi_data *d, double *values)
     for (k = 0; k < 3; ++k) values[3 * i + k] = d->sensor[i][k];
 }
 
+void maggi_get_filters(maggi_data *d, double *values)
+{
+  int i;
+
+  maggi_results(d);
+  for (i = 0; i < d->t.nfilter; ++i) values[i] = d->weighted[i];
+}
+
 void maggi_get_drives(maggi_data *d, double *drives)
 {
   int i, c;
@@ -82,6 +90,8 @@ static double signal_value(const maggi_data *d, maggi_signal_place s)
     return d->kinetic[0] + d->potential[0];
   case MAGGI_SIGNAL_WRENCH:
     return d->wrench[s.index / 6][s.index % 6];
+  case MAGGI_SIGNAL_FILTER:
+    return d->weighted[s.index];
   default:
     return d->sensor[s.index / 3][s.index % 3];
   }

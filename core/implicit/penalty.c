@@ -229,6 +229,10 @@ static int place_vectors(maggi_penalty *s)
 
 static maggi_status check(maggi_data *d, const maggi_penalty_options *o)
 {
+  if (d->t.nfilter > 0)
+    return maggi_data_fail(
+        d, MAGGI_E_MODEL,
+        "the penalty formulation does not integrate filters, which the model has");
   if (!isfinite(o->penalty) || !(o->penalty > 0.0))
     return maggi_data_fail(d, MAGGI_E_VALUE, "the penalty must be positive");
   if (!isfinite(o->tolerance) || !(o->tolerance > 0.0))

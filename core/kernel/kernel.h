@@ -217,4 +217,11 @@ void maggi_sensors(const maggi_topo *t, const double p[t->np], const double orig
                    const double slip[t->nwheel][MAGGI_SLIP_NUMBERS],
                    const double grip[t->nwheel][6], double s[t->nsensor][3]);
 
+/* filter.c: frequency weightings of columns of sensors */
+void maggi_filter_rates(const maggi_topo *t, const double p[t->np],
+                        const double sensor[t->nsensor][3], const double y[t->nstate],
+                        double yrate[t->nstate]);
+void maggi_filter_outputs(const maggi_topo *t, const double p[t->np], const double y[t->nstate],
+                          double output[t->nfilter]);
+
 #endif

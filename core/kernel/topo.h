@@ -104,7 +104,9 @@ enum {
   X(nspline, "second derivatives of all splines")                                                  \
   X(nguide, "guided coordinates")                                                                  \
   X(nbase, "prismatic joints that carry the whole model")                                          \
-  X(nsensor, "sensors")
+  X(nsensor, "sensors")                                                                            \
+  X(nfilter, "filters")                                                                            \
+  X(nstate, "states of filters")
 
 #define MAGGI_TOPO_LIST(X)                                                                         \
   X(parent, nbody, "parent body")                                                                  \
@@ -201,7 +203,15 @@ enum {
   X(sensorkind, nsensor, "maggi_sensor_type")                                                      \
   X(sensorbody, nsensor, "body")                                                                   \
   X(sensorpoint, nsensor, "point")                                                                 \
-  X(sensorelement, nsensor, "spring, spring on coordinates, wheel, or building block of a rod")
+  X(sensorelement, nsensor, "spring, spring on coordinates, wheel, or building block of a rod")    \
+  X(filtersensor, nfilter, "sensor")                                                               \
+  X(filtercolumn, nfilter, "its column: 0, 1, 2")                                                  \
+  X(filterstate, nfilter, "first state")                                                           \
+  X(filteradr, nfilter, "address of f1, then f2")                                                  \
+  X(filterf3, nfilter, "address of f3, -1 if infinite")                                            \
+  X(filterf4, nfilter, "address of f4, q4, -1 if infinite: without transition")                    \
+  X(filterf5, nfilter, "address of f5, q5, f6, q6, -1 if infinite: without step")                  \
+  X(filtergain, nfilter, "address of the gain")
 
 #define MAGGI_PLAN_SIZES(X)                                                                        \
   X(nind, "independent coordinates")                                                               \

@@ -170,6 +170,12 @@ static int own_sensor(maggi_builder *b, maggi_sensor_def *d)
   return 1;
 }
 
+static int own_filter(maggi_builder *b, maggi_filter_def *d)
+{
+  OWN(signal);
+  return 1;
+}
+
 static int own_objective(maggi_builder *b, maggi_objective_def *d)
 {
   return maggi_objective_own(&b->arena, d);
@@ -205,6 +211,7 @@ static void *grown(void *array, int n, int *capacity, size_t size)
 #define SCOPE_wheel(d)        ""
 #define SCOPE_function(d)     ""
 #define SCOPE_sensor(d)       ""
+#define SCOPE_filter(d)       ""
 #define SCOPE_objective(d)    ""
 #define SCOPE_design(d)       ""
 
@@ -383,6 +390,14 @@ void maggi_sensor_def_init(maggi_sensor_def *def)
 void maggi_start_def_init(maggi_start_def *def)
 {
   memset(def, 0, sizeof *def);
+}
+
+void maggi_filter_def_init(maggi_filter_def *def)
+{
+  memset(def, 0, sizeof *def);
+  def->f1 = def->f2 = def->q4 = def->q5 = def->q6 = NAN;
+  def->f3 = def->f4 = def->f5 = def->f6 = INFINITY;
+  def->gain = 1.0;
 }
 
 void maggi_objective_def_init(maggi_objective_def *def)

@@ -21,6 +21,7 @@ enum { MAGGI_MESSAGE_SIZE = 512 };
   X(wheel, wheels)                                                                                 \
   X(function, functions)                                                                           \
   X(sensor, sensors)                                                                               \
+  X(filter, filters)                                                                               \
   X(objective, objectives)                                                                         \
   X(design, design)
 

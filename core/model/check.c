@@ -335,6 +335,28 @@ maggi_status maggi_check_sensor(maggi_builder *b, const maggi_sensor_def *d)
   return MAGGI_OK;
 }
 
+maggi_status maggi_check_filter(maggi_builder *b, const maggi_filter_def *d)
+{
+  static const char *const keys[] = {"f1", "f2", "f3", "f4", "f5", "f6", "q4", "q5", "q6", "gain"};
+  const double values[] = {d->f1, d->f2, d->f3, d->f4, d->f5, d->f6, d->q4, d->q5, d->q6, d->gain};
+  int has_transition = isfinite(d->f4), has_step = isfinite(d->f5);
+  int i;
+
+  for (i = 0; i < 10; ++i) {
+    if ((i == 6 && !has_transition) || ((i == 7 || i == 8) && !has_step)) continue;
+    REQUIRE(!isnan(values[i]), "filters", d->name, "%s is missing", keys[i]);
+    REQUIRE(isfinite(values[i]) || (i >= 2 && i < 6), "filters", d->name, "%s is not finite",
+            keys[i]);
+    REQUIRE(values[i] > 0.0 || i == 9, "filters", d->name, "%s is not positive (%g)", keys[i],
+            values[i]);
+  }
+  REQUIRE(has_transition || !isfinite(d->f3), "filters", d->name,
+          "f3 needs f4 and q4, those of the same section");
+  REQUIRE(has_step == isfinite(d->f6), "filters", d->name,
+          "f5 and f6 are of the same section: both or none");
+  return MAGGI_OK;
+}
+
 maggi_status maggi_check_objective(maggi_builder *b, const maggi_objective_def *d)
 {
   char text[200];

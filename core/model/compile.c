@@ -219,6 +219,7 @@ static maggi_status compile(maggi_compile *c)
   if (status == MAGGI_OK) status = maggi_compile_loops(c);
   if (status == MAGGI_OK) status = maggi_compile_elements(c);
   if (status == MAGGI_OK) status = maggi_compile_sensors(c);
+  if (status == MAGGI_OK) status = maggi_compile_filters(c);
   if (status == MAGGI_OK) status = maggi_compile_signals(c->m);
   if (status != MAGGI_OK) return status;
 

@@ -53,6 +53,7 @@ maggi_status maggi_compile_loops(maggi_compile *c);
 maggi_status maggi_compile_elements(maggi_compile *c);
 maggi_status maggi_compile_speed(maggi_compile *c, const maggi_force_def *d);
 maggi_status maggi_compile_sensors(maggi_compile *c);
+maggi_status maggi_compile_filters(maggi_compile *c);
 maggi_status maggi_compile_signals(maggi_model *m); /* after all others but: */
 maggi_status maggi_compile_definitions(maggi_compile *c);
 maggi_status maggi_compile_settings(maggi_compile *c); /* after them */

@@ -16,6 +16,8 @@ void maggi_model_get_info(const maggi_model *m, maggi_model_info *info)
   info->parameters = m->nparameter;
   info->sensors = m->topo.nsensor;
   info->sensor_columns = 3 * m->topo.nsensor;
+  info->filters = m->topo.nfilter;
+  info->filter_states = m->topo.nstate;
   info->simulation = m->simulation;
 }
 
@@ -115,6 +117,16 @@ const maggi_wheel_def *maggi_model_wheel(const maggi_model *m, int index)
 const maggi_objective_def *maggi_model_objective_def(const maggi_model *m, int index)
 {
   return in(index, m->nobjective) ? &m->objective[index] : NULL;
+}
+
+const char *maggi_filter_column_name(const maggi_model *m, int filter)
+{
+  return in(filter, m->topo.nfilter) ? m->filtercolumn[filter] : NULL;
+}
+
+const char *maggi_filter_column_unit(const maggi_model *m, int filter)
+{
+  return in(filter, m->topo.nfilter) ? m->filterunit[filter] : NULL;
 }
 
 int maggi_body_find(const maggi_model *m, const char *name)

@@ -62,6 +62,7 @@ maggi_status maggi_load_road(const load_build *b, const load_road *road);
 maggi_status maggi_load_wheel(const load_build *b, const load_wheel *wheel);
 maggi_status maggi_load_function(const load_build *b, const load_function *f);
 maggi_status maggi_load_sensor(const load_build *b, const load_sensor *sensor);
+maggi_status maggi_load_filter(const load_build *b, const load_filter *f);
 maggi_status maggi_load_objective(const load_build *b, const load_objective *objective);
 maggi_status maggi_load_design(const load_build *b, const load_design *design);
 

@@ -7,6 +7,7 @@
  *   load_build.c   load_model -> maggi_builder -> maggi_model, with
  *   load_body.c    .. the bodies and
  *   load_element.c .. lists of the mechanism,
+ *   load_filter.c  .. filters,
  *   load_tyre.c    .. tyres with their property files, roads and wheels,
  *   load_definition.c .. objectives and design parameters, with
  *   load_record.c  .. the records of objectives, CSV
@@ -203,6 +204,14 @@ typedef struct load_sensor {
   char *element;
 } load_sensor;
 
+typedef struct load_filter {
+  char *name;
+  char *signal;
+  char *weighting;
+  double *f1, *f2, *q4, *q5, *q6, *gain;
+  char *f3, *f4, *f5, *f6; /* may be inf */
+} load_filter;
+
 typedef struct load_objective {
   char *name;
   char *type;
@@ -287,6 +296,8 @@ typedef struct load_model {
   unsigned functions_count;
   load_sensor *sensors;
   unsigned sensors_count;
+  load_filter *filters;
+  unsigned filters_count;
   load_objective *objectives;
   unsigned objectives_count;
   load_design *design;

@@ -198,6 +198,17 @@ static const cyaml_schema_field_t sensor_keys[] = {
 static const cyaml_schema_value_t sensor = {
     CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, load_sensor, sensor_keys)};
 
+static const cyaml_schema_field_t filter_keys[] = {
+    TEXT(load_filter, name),          TEXT(load_filter, signal),
+    OPT_TEXT(load_filter, weighting), OPT_REAL(load_filter, f1),
+    OPT_REAL(load_filter, f2),        OPT_TEXT(load_filter, f3),
+    OPT_TEXT(load_filter, f4),        OPT_REAL(load_filter, q4),
+    OPT_TEXT(load_filter, f5),        OPT_REAL(load_filter, q5),
+    OPT_TEXT(load_filter, f6),        OPT_REAL(load_filter, q6),
+    OPT_REAL(load_filter, gain),      CYAML_FIELD_END};
+static const cyaml_schema_value_t filter = {
+    CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, load_filter, filter_keys)};
+
 static const cyaml_schema_field_t objective_keys[] = {
     TEXT(load_objective, name),
     TEXT(load_objective, type),
@@ -266,6 +277,7 @@ static const cyaml_schema_field_t model_keys[] = {
     MANY(load_model, wheels, wheel),
     MANY(load_model, functions, function),
     MANY(load_model, sensors, sensor),
+    MANY(load_model, filters, filter),
     MANY(load_model, objectives, objective),
     MANY(load_model, design, design),
     MANY(load_model, set, set),

@@ -78,6 +78,8 @@ struct maggi_model {
   int *reach;            /* (nq) number of loops whose path holds the coordinate */
   const char **sensorcolumn;
   const char **sensorunit;
+  const char **filtercolumn;
+  const char **filterunit;
   int nsignal;
   const char **signalname;
   const char **signalunit;
@@ -106,7 +108,8 @@ typedef enum maggi_signal_kind {
   MAGGI_SIGNAL_POTENTIAL,
   MAGGI_SIGNAL_TOTAL,  /* kinetic + potential energy */
   MAGGI_SIGNAL_WRENCH, /* 6 times the expanded body, and the component */
-  MAGGI_SIGNAL_SENSOR  /* column */
+  MAGGI_SIGNAL_SENSOR, /* column */
+  MAGGI_SIGNAL_FILTER  /* its number */
 } maggi_signal_kind;
 
 typedef struct maggi_signal_place {

@@ -28,6 +28,7 @@ static const char *const sensor_words[] = {"position",
                                            "tyre_contact",
                                            "tyre_slope"};
 static const char *const road_words[] = {"flat", "sine", "bumps", "profile"};
+static const char *const weighting_words[] = {"Wk", "Wd", "Wf", "Wc", "We", "Wj", "Wb", "Wg"};
 static const char *const objective_words[] = {"integral",
                                               "integral_square",
                                               "mean",
@@ -74,6 +75,7 @@ WORDS(force, MAGGI_FORCE_TYPE_COUNT)
 WORDS(road, MAGGI_ROAD_TYPE_COUNT)
 WORDS(function, MAGGI_FUNCTION_TYPE_COUNT)
 WORDS(sensor, MAGGI_SENSOR_TYPE_COUNT)
+WORDS(weighting, MAGGI_WEIGHTING_TYPE_COUNT)
 WORDS(objective, MAGGI_OBJECTIVE_TYPE_COUNT)
 WORDS(reference, MAGGI_REFERENCE_TYPE_COUNT)
 

@@ -1,4 +1,4 @@
-/* The continuous adjoint method: adjoint equations of the motion y' = f(y, p), y = (q, u), integrated
+/* The continuous adjoint method: adjoint equations of the motion y' = f(y, p), y = (q, u, filters), integrated
  * backwards over each step of the simulation.  [1] 5.4, FORMULATION 9.
  *
  *   mu' = -f_y^T mu,   dJ/dp = int mu^T f_p dt + what samples and the initial state add
@@ -32,12 +32,14 @@ static maggi_status evaluate(maggi_reversal *r, const maggi_tape *tape, long i, 
   maggi_data *d = r->d;
   const double *y0 = maggi_tape_state(tape, i, 0), *y2 = maggi_tape_state(tape, i, 1);
   double h = tape->step[i].h, time = tape->step[i].time + 0.5 * h;
-  int k, nq = d->t.nq;
+  int k, nq = d->t.nq, filters = nq + d->t.nind;
 
   if (stage != 2) return MAGGI_OK;
   for (k = 0; k < nq; ++k) d->q[k] = middle(y0[k], y2[k], d->q[k], d->v[k], h);
   for (k = 0; k < d->t.nind; ++k)
     d->vcol[k] = middle(y0[nq + k], y2[nq + k], d->vcol[k], d->acol[k], h);
+  for (k = 0; k < d->t.nstate; ++k)
+    d->y[k] = middle(y0[filters + k], y2[filters + k], d->y[k], d->yrate[k], h);
   maggi_evaluate(d, time);
   return maggi_linearise_at(r->D, time);
 }

@@ -67,6 +67,9 @@
   X(w, t->nq)                                                                                      \
   X(wrench, t->nbody * 6)                                                                          \
   X(sensor, t->nsensor * 3)                                                                        \
+  X(y, t->nstate)                                                                                  \
+  X(yrate, t->nstate)                                                                              \
+  X(weighted, t->nfilter)                                                                          \
   X(kinetic, 1)                                                                                    \
   X(potential, 1)
 

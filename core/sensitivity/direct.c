@@ -11,7 +11,7 @@
 #include "equilibrium.h"
 #include "results.h"
 
-enum { W = MAGGI_NDIR, ARRAYS = 3 * MAGGI_PLACES + 2 };
+enum { W = MAGGI_NDIR, ARRAYS = 3 * MAGGI_PLACES + 2, FILTER_ARRAYS = 2 * MAGGI_PLACES + 1 };
 
 static maggi_direct *of(maggi_follower *f)
 {
@@ -20,15 +20,18 @@ static maggi_direct *of(maggi_follower *f)
 
 void maggi_direct_choose(maggi_direct *s, int first)
 {
-  size_t i = (size_t)(first / W) * s->strip;
+  size_t i = (size_t)(first / W) * s->strip, k = (size_t)(first / W) * s->filter_strip;
 
   maggi_strip_choose(s->D, first);
   s->D->strip.q = s->at[MAGGI_PRESENT].q + i;
   s->D->strip.v = s->at[MAGGI_PRESENT].v + i;
   s->D->strip.a = s->at[MAGGI_PRESENT].a + i;
+  s->D->strip.y = s->at[MAGGI_PRESENT].y + k;
+  s->D->strip.yrate = s->at[MAGGI_PRESENT].yrate + k;
 }
 
-/* velocities and accelerations from positions and velocities of independent coordinates */
+/* velocities and accelerations from positions and velocities of independent coordinates, then rates of
+ * filters */
 static maggi_status move(maggi_direct *s, double time, int is_projected)
 {
   maggi_status status = maggi_linearise_at(s->D, time);
@@ -38,6 +41,7 @@ static maggi_status move(maggi_direct *s, double time, int is_projected)
     maggi_direct_choose(s, first);
     if (is_projected) maggi_strip_closure(s->D);
     maggi_strip_motion(s->D);
+    if (s->need) maggi_strip_results(s->D, s->need);
   }
   return status;
 }
@@ -53,6 +57,8 @@ static void begin(maggi_follower *f)
   memcpy(s->at[MAGGI_PRESENT].a, s->at[MAGGI_START].a, bytes);
   memset(s->qsum, 0, bytes);
   memset(s->vsum, 0, bytes);
+  memcpy(s->at[MAGGI_PRESENT].yrate, s->at[MAGGI_START].yrate, s->ny * sizeof(double));
+  memset(s->ysum, 0, s->ny * sizeof(double));
 }
 
 static maggi_status stage(maggi_follower *f, double weight, double ahead, double time)
@@ -69,6 +75,10 @@ static maggi_status stage(maggi_follower *f, double weight, double ahead, double
     s->vsum[i] += weight * x->a[i];
     x->v[i] = start->v[i] + ahead * x->a[i];
   }
+  for (i = 0; i < s->ny; ++i) {
+    s->ysum[i] += weight * x->yrate[i];
+    x->y[i] = start->y[i] + ahead * x->yrate[i];
+  }
   return move(s, time, 0);
 }
 
@@ -80,6 +90,7 @@ static maggi_status end(maggi_follower *f, double h, double time, int is_project
 
   for (i = 0; i < s->nx; ++i) x->q[i] = start->q[i] + h / 6.0 * (s->qsum[i] + x->v[i]);
   for (i = 0; i < s->nx; ++i) x->v[i] = start->v[i] + h / 6.0 * (s->vsum[i] + x->a[i]);
+  for (i = 0; i < s->ny; ++i) x->y[i] = start->y[i] + h / 6.0 * (s->ysum[i] + x->yrate[i]);
   return move(s, time, is_projected);
 }
 
@@ -96,9 +107,11 @@ static void copy(maggi_follower *f, maggi_place to, maggi_place from)
   memcpy(s->at[to].q, s->at[from].q, bytes);
   memcpy(s->at[to].v, s->at[from].v, bytes);
   memcpy(s->at[to].a, s->at[from].a, bytes);
+  memcpy(s->at[to].y, s->at[from].y, s->ny * sizeof(double));
+  memcpy(s->at[to].yrate, s->at[from].yrate, s->ny * sizeof(double));
 }
 
-static void interpolate(maggi_follower *f, const double c[3][6])
+static void interpolate(maggi_follower *f, const double c[MAGGI_BETWEEN][6])
 {
   maggi_direct *s = of(f);
   const maggi_direct_state *x = &s->at[MAGGI_PRESENT], *start = &s->at[MAGGI_START],
@@ -111,6 +124,9 @@ static void interpolate(maggi_follower *f, const double c[3][6])
     for (i = 0; i < s->nx; ++i)
       out[k][i] = c[k][0] * start->q[i] + c[k][1] * start->v[i] + c[k][2] * start->a[i] +
                   c[k][3] * node->q[i] + c[k][4] * node->v[i] + c[k][5] * node->a[i];
+  for (i = 0; i < s->ny; ++i)
+    x->y[i] = c[3][0] * start->y[i] + c[3][1] * start->yrate[i] + c[3][3] * node->y[i] +
+              c[3][4] * node->yrate[i];
 }
 
 /* ------------------------------------------------------------------------------ initial state */
@@ -172,6 +188,7 @@ maggi_status maggi_direct_reset(maggi_direct *s)
   if (status == MAGGI_OK) status = maggi_derivative_fit(s->D);
   if (status != MAGGI_OK) return status;
   load_parameters(s);
+  memset(s->at[MAGGI_PRESENT].y, 0, s->ny * sizeof(double));
   if (d->is_kept) status = maggi_evaluate_start(d, 1);
   if (status == MAGGI_OK) status = close_loops(s);
   if (d->is_kept && status == MAGGI_OK) status = maggi_evaluate_start(d, 0);
@@ -235,6 +252,7 @@ maggi_status maggi_direct_create(maggi_data *d, const maggi_design *design, magg
 {
   maggi_direct *s = calloc(1, sizeof *s);
   double *at;
+  size_t n;
   int i;
 
   *direct = NULL;
@@ -243,19 +261,25 @@ maggi_status maggi_direct_create(maggi_data *d, const maggi_design *design, magg
   s->design = design;
   s->n = maggi_design_number(design);
   s->strip = (size_t)d->t.nq * W;
+  s->filter_strip = (size_t)d->t.nstate * W;
   s->nx = s->strip * (size_t)((s->n + W - 1) / W);
+  s->ny = s->filter_strip * (size_t)((s->n + W - 1) / W);
+  s->need = maggi_filters_need(d->m);
   s->follower = (maggi_follower){begin, stage, end, renewed, copy, interpolate};
-  s->memory = aligned_alloc(64, (ARRAYS * s->nx + W) * sizeof(double));
+  n = ARRAYS * s->nx + FILTER_ARRAYS * s->ny;
+  s->memory = aligned_alloc(64, (n + W) * sizeof(double));
   if (!s->memory || maggi_derivative_create(d, s->n, &s->D) != MAGGI_OK) {
     maggi_direct_free(s);
     return MAGGI_E_MEMORY;
   }
-  memset(s->memory, 0, ARRAYS * s->nx * sizeof(double));
+  memset(s->memory, 0, n * sizeof(double));
   at = s->memory;
-  for (i = 0; i < MAGGI_PLACES; ++i, at += 3 * s->nx)
-    s->at[i] = (maggi_direct_state){at, at + s->nx, at + 2 * s->nx};
+  for (i = 0; i < MAGGI_PLACES; ++i, at += 3 * s->nx + 2 * s->ny)
+    s->at[i] = (maggi_direct_state){at, at + s->nx, at + 2 * s->nx, at + 3 * s->nx,
+                                    at + 3 * s->nx + s->ny};
   s->qsum = at;
   s->vsum = at + s->nx;
+  s->ysum = at + 2 * s->nx;
   *direct = s;
   return MAGGI_OK;
 }

@@ -1,4 +1,5 @@
-/* State sensitivities at work: tangents in strips of MAGGI_NDIR, (strips x nq x MAGGI_NDIR). */
+/* State sensitivities at work: tangents in strips of MAGGI_NDIR, (strips x nq x MAGGI_NDIR), of states of
+ * filters (strips x nstate x MAGGI_NDIR). */
 #ifndef MAGGI_DIRECT_H
 #define MAGGI_DIRECT_H
 
@@ -7,7 +8,7 @@
 
 /* tangents at a node, all strips */
 typedef struct maggi_direct_state {
-  double *q, *v, *a;
+  double *q, *v, *a, *y, *yrate;
 } maggi_direct_state;
 
 struct maggi_direct {
@@ -15,11 +16,13 @@ struct maggi_direct {
   maggi_data *d;
   maggi_derivative *D;
   const maggi_design *design;
-  int n;            /* directions */
-  size_t strip, nx; /* numbers of one strip, of all */
+  int n;                   /* directions */
+  size_t strip, nx;        /* numbers of one strip, of all */
+  size_t filter_strip, ny; /* of states of filters */
+  unsigned need;           /* of rates of filters */
   double *memory;
   maggi_direct_state at[MAGGI_PLACES];
-  double *qsum, *vsum; /* sums of slopes */
+  double *qsum, *vsum, *ysum; /* sums of slopes */
 };
 
 /* D->strip: the strip that begins with direction `first`, its state at the present node */

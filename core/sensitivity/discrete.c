@@ -2,7 +2,7 @@
  *
  *   y_2 = y_1 + h/2 k_1,  y_3 = y_1 + h/2 k_2,  y_4 = y_1 + h k_3,  y = y_1 + h/6 (k_1 + 2 k_2 + 2 k_3 + k_4)
  *
- * with k_s the slopes at y_s: all velocities, independent accelerations.  Backwards, a bar for adjoints,
+ * with k_s the slopes at y_s: all velocities, independent accelerations, rates of filters.  Backwards, a bar for adjoints,
  *
  *   k_4 = h/6 y,  k_3 = h/3 y + h y_4,  k_2 = h/3 y + h/2 y_3,  k_1 = h/6 y + h/2 y_2
  *   y_1 = y + y_2 + y_3 + y_4 and what follows from k_1, which is left to the node. */
@@ -28,7 +28,7 @@ static void go_before_projection(maggi_reversal *r, maggi_lane *x)
   memcpy(x->q, r->D->adjoint.q, (size_t)d->t.nq * sizeof(double));
 }
 
-/* adjoint of y_s, in dq and du, from that of k_s: f y + g y_(s + 1) */
+/* adjoint of y_s, in dq, du and dy, from that of k_s: f y + g y_(s + 1) */
 static void go_through_stage(maggi_reversal *r, maggi_lane *x, double f, double g)
 {
   const maggi_topo *t = &r->d->t;
@@ -37,8 +37,12 @@ static void go_through_stage(maggi_reversal *r, maggi_lane *x, double f, double 
 
   combine(t->nq, f, x->q, g, x->dq, x->v);
   combine(t->nq, f, x->u, g, x->du, x->a);
+  combine(t->nstate, f, x->y, g, x->dy, x->yrate);
   maggi_reversal_choose(r, x, x->v, x->a);
+  maggi_reversal_results(r, x, 0);
   maggi_adjoint_motion(r->D);
+  memcpy(x->dy, s->y, (size_t)t->nstate * sizeof(double));
+  combine(t->nstate, 1.0, x->ysum, 1.0, s->y, x->ysum);
   memcpy(x->dq, s->q, (size_t)t->nq * sizeof(double));
   combine(t->nq, 1.0, x->qsum, 1.0, s->q, x->qsum);
   for (i = 0; i < t->nind; ++i) {
@@ -57,13 +61,15 @@ maggi_status maggi_reversal_stages(maggi_reversal *r, const maggi_tape *tape, lo
   maggi_status status = MAGGI_OK;
   size_t bytes = (size_t)r->d->t.nq * sizeof(double);
   double h = tape->step[i].h, ahead;
-  int s, n = r->d->t.nq;
+  int s, n = r->d->t.nq, nstate = r->d->t.nstate;
 
   for (x = r->lane; x < r->lane + r->n; ++x) {
     memset(x->dq, 0, bytes);
     memset(x->du, 0, bytes);
     memset(x->qsum, 0, bytes);
     memset(x->usum, 0, bytes);
+    memset(x->dy, 0, (size_t)nstate * sizeof(double));
+    memset(x->ysum, 0, (size_t)nstate * sizeof(double));
   }
   for (s = 3; s > 0 && status == MAGGI_OK; --s) {
     status = evaluate(r, tape, i, s);
@@ -76,6 +82,8 @@ maggi_status maggi_reversal_stages(maggi_reversal *r, const maggi_tape *tape, lo
     combine(n, weight[0] * h, x->u, part[1] * h, x->du, x->a);
     combine(n, 1.0, x->q, 1.0, x->qsum, x->q);
     combine(n, 1.0, x->u, 1.0, x->usum, x->u);
+    combine(nstate, weight[0] * h, x->y, part[1] * h, x->dy, x->yrate);
+    combine(nstate, 1.0, x->y, 1.0, x->ysum, x->y);
   }
   return status;
 }

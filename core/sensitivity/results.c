@@ -24,11 +24,23 @@ unsigned maggi_signals_need(const maggi_model *m, int n, const int *signal)
     place = maggi_signal_at(m, signal[i]);
     if (place.kind == MAGGI_SIGNAL_SENSOR)
       need |= need_of_sensor(m->topo.sensorkind[place.index / 3]);
+    else if (place.kind == MAGGI_SIGNAL_FILTER)
+      need |= MAGGI_RESULT_FILTER;
     else if (place.kind == MAGGI_SIGNAL_WRENCH)
       need |= MAGGI_RESULT_FORCE;
     else if (place.kind >= MAGGI_SIGNAL_KINETIC)
       need |= MAGGI_RESULT_ENERGY;
   }
+  return need;
+}
+
+unsigned maggi_filters_need(const maggi_model *m)
+{
+  unsigned need = 0;
+  int i;
+
+  for (i = 0; i < m->topo.nfilter; ++i)
+    need |= MAGGI_RESULT_RATE | need_of_sensor(m->topo.sensorkind[m->topo.filtersensor[i]]);
   return need;
 }
 
@@ -52,6 +64,8 @@ static double *numbers_of(const maggi_companion *s, maggi_signal_place place, do
     return s->kinetic;
   case MAGGI_SIGNAL_WRENCH:
     return s->wrench + place.index * s->width;
+  case MAGGI_SIGNAL_FILTER:
+    return s->weighted + place.index * s->width;
   default:
     return s->sensor + place.index * s->width;
   }

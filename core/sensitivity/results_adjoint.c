@@ -24,6 +24,8 @@ void maggi_adjoint_results(maggi_derivative *D, unsigned need)
   const maggi_companion *s = &D->adjoint;
 
   maggi_results(D->d);
+  if (need & MAGGI_RESULT_FILTER) filter_outputs(D, s);
+  if (need & MAGGI_RESULT_RATE) filter_rates(D, s);
   if (need & MAGGI_RESULT_ENERGY) {
     potential_energy(D, s);
     kinetic_energy(D, s);

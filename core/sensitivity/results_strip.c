@@ -40,6 +40,8 @@ static void results(maggi_derivative *D, const maggi_companion *s, unsigned need
     kinetic_energy(D, s);
     potential_energy(D, s);
   }
+  if (need & MAGGI_RESULT_RATE) filter_rates(D, s);
+  if (need & MAGGI_RESULT_FILTER) filter_outputs(D, s);
 }
 
 /* with lambda = G mu, of the mu that balances forces on dependent coordinates */
@@ -74,5 +76,14 @@ void maggi_strip_given(maggi_derivative *D, unsigned need)
   if (need & MAGGI_RESULT_FORCE) {
     if (t->ndep > 0) given_multipliers(D, s);
   }
+  results(D, s, need);
+}
+
+void maggi_strip_results(maggi_derivative *D, unsigned need)
+{
+  const maggi_companion *s = &D->strip;
+
+  maggi_results(D->d);
+  if ((need & MAGGI_RESULT_FORCE) && D->d->t.ndep > 0) given_multipliers(D, s);
   results(D, s, need);
 }

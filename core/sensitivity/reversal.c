@@ -12,6 +12,11 @@ static size_t bytes(const maggi_data *d)
   return (size_t)d->t.nq * sizeof(double);
 }
 
+static size_t filter_bytes(const maggi_data *d)
+{
+  return (size_t)d->t.nstate * sizeof(double);
+}
+
 static void add(int n, double f, const double *x, double *y)
 {
   int i;
@@ -24,6 +29,7 @@ maggi_status maggi_reversal_evaluate(maggi_reversal *r, const maggi_tape *tape, 
 {
   maggi_tape_load(tape, state);
   maggi_evaluate(r->d, time);
+  maggi_evaluate_filters(r->d);
   return maggi_linearise_at(r->D, time);
 }
 
@@ -38,13 +44,22 @@ void maggi_reversal_choose(maggi_reversal *r, const maggi_lane *lane, const doub
   memcpy(s->a, a, bytes(r->d));
 }
 
-/* what the sweep has left: positions, velocities of independent coordinates */
+void maggi_reversal_results(maggi_reversal *r, const maggi_lane *lane, unsigned need)
+{
+  need |= r->need;
+  if (!need) return;
+  memcpy(r->D->adjoint.yrate, lane->yrate, filter_bytes(r->d));
+  maggi_adjoint_results(r->D, need);
+}
+
+/* what the sweep has left: positions, velocities of independent coordinates, states of filters */
 static void add_state(const maggi_reversal *r, const maggi_lane *x)
 {
   const maggi_topo *t = &r->d->t;
   int i;
 
   add(t->nq, 1.0, r->D->adjoint.q, x->q);
+  add(t->nstate, 1.0, r->D->adjoint.y, x->y);
   for (i = 0; i < t->nind; ++i) x->u[t->colq[i]] += r->D->adjoint.v[t->colq[i]];
 }
 
@@ -65,7 +80,7 @@ static int seed(maggi_reversal *r, int lane, long k, unsigned *need)
 }
 
 maggi_status maggi_reversal_sample(maggi_reversal *r, const double *given, double time, long k,
-                                   const double c[3][6])
+                                   const double c[MAGGI_BETWEEN][6])
 {
   maggi_data *d = r->d;
   const maggi_companion *x = &r->D->adjoint;
@@ -77,16 +92,20 @@ maggi_status maggi_reversal_sample(maggi_reversal *r, const double *given, doubl
   memcpy(d->q, given, bytes(d));
   memcpy(d->v, given + nq, bytes(d));
   memcpy(d->a, given + 2 * nq, bytes(d));
+  memcpy(d->y, given + 3 * nq, filter_bytes(d));
   maggi_evaluate_given(d, time);
   status = maggi_linearise_at(r->D, time);
   for (i = 0; i < r->n && status == MAGGI_OK; ++i) {
     maggi_lane *y = &r->lane[i];
     double *to[6] = {y->q0, y->v0, y->a0, y->q, y->v, y->a};
+    double *filter_to[6] = {y->y0, y->yrate0, NULL, y->y, y->yrate, NULL};
 
     maggi_reversal_choose(r, y, d->zero, d->zero);
     if (!seed(r, i, k, &need)) continue;
     maggi_adjoint_given(r->D, need);
     for (m = 0; m < 18; ++m) add(nq, c[m / 6][m % 6], from[m / 6], to[m % 6]);
+    for (m = 0; m < 6; ++m)
+      if (filter_to[m]) add(d->t.nstate, c[3][m], x->y, filter_to[m]);
   }
   return status;
 }
@@ -105,12 +124,15 @@ static maggi_status go_through(maggi_reversal *r, const maggi_tape *tape, long n
   for (i = 0; i < r->n && status == MAGGI_OK; ++i) {
     maggi_lane *x = &r->lane[i];
 
+    need = 0;
     maggi_reversal_choose(r, x, x->v, x->a);
-    if (k >= 0 && seed(r, i, k, &need) && need) maggi_adjoint_results(r->D, need);
+    if (k >= 0) seed(r, i, k, &need);
+    maggi_reversal_results(r, x, need);
     maggi_adjoint_motion(r->D);
     add_state(r, x);
     memset(x->v, 0, bytes(d));
     memset(x->a, 0, bytes(d));
+    memset(x->yrate, 0, filter_bytes(d));
   }
   return status;
 }
@@ -149,7 +171,7 @@ static maggi_status go_before_changes(maggi_reversal *r, maggi_tape *tape, long 
 /* the evaluation there and what came before it becomes that of the node before */
 static void step_back(maggi_reversal *r)
 {
-  int i, nq = r->d->t.nq;
+  int i, nq = r->d->t.nq, nstate = r->d->t.nstate;
 
   for (i = 0; i < r->n; ++i) {
     maggi_lane *x = &r->lane[i];
@@ -160,6 +182,10 @@ static void step_back(maggi_reversal *r)
     memset(x->q0, 0, bytes(r->d));
     memset(x->v0, 0, bytes(r->d));
     memset(x->a0, 0, bytes(r->d));
+    add(nstate, 1.0, x->y0, x->y);
+    add(nstate, 1.0, x->yrate0, x->yrate);
+    memset(x->y0, 0, filter_bytes(r->d));
+    memset(x->yrate0, 0, filter_bytes(r->d));
   }
 }
 
@@ -170,8 +196,9 @@ maggi_status maggi_reversal_step(maggi_reversal *r, maggi_tape *tape, long j, lo
   long i;
 
   if (s->is_between)
-    status = maggi_reversal_sample(r, tape->given + 3 * (size_t)r->d->t.nq * (size_t)s->given,
-                                   s->time, k, (void *)s->c);
+    status =
+        maggi_reversal_sample(r, tape->given + maggi_tape_given_size(&r->d->t) * (size_t)s->given,
+                              s->time, k, (void *)s->c);
   for (i = s->steps - 1; i >= tape->sample[j - 1].steps && status == MAGGI_OK; --i) {
     status = go_through(r, tape, i + 1, i + 1 == s->steps && !s->is_between ? k : -1);
     if (status == MAGGI_OK) status = go_before_changes(r, tape, i + 1);
@@ -240,8 +267,7 @@ maggi_status maggi_reversal_create(maggi_data *d, int n, maggi_seeds *seeds, int
                                    maggi_reversal **reversal)
 {
   maggi_reversal *r = calloc(1, sizeof *r);
-  size_t nq = (size_t)d->t.nq;
-  size_t rows = 0;
+  size_t nq = (size_t)d->t.nq, nstate = (size_t)d->t.nstate, size = 0;
   double *at;
   int i;
 
@@ -250,16 +276,20 @@ maggi_status maggi_reversal_create(maggi_data *d, int n, maggi_seeds *seeds, int
   r->d = d;
   r->n = n;
   r->seeds = seeds;
+  r->need = maggi_filters_need(d->m);
   r->is_continuous = is_continuous;
   if (maggi_derivative_create(d, 0, &r->D) != MAGGI_OK) {
     maggi_reversal_free(r);
     return MAGGI_E_MEMORY;
   }
-#define X(name) ++rows;
+#define X(name) size += nq;
   MAGGI_LANE_LIST(X)
 #undef X
+#define X(name) size += nstate;
+  MAGGI_LANE_FILTER_LIST(X)
+#undef X
   r->lane = calloc((size_t)n + 1, sizeof *r->lane);
-  r->memory = calloc(rows * nq * (size_t)n + 1, sizeof(double));
+  r->memory = calloc(size * (size_t)n + 1, sizeof(double));
   r->constants =
       aligned_alloc(64, (size_t)(n + 1) * r->D->adjoint.nconstants * sizeof(double) + 64);
   if (!r->lane || !r->memory || !r->constants) {
@@ -274,6 +304,11 @@ maggi_status maggi_reversal_create(maggi_data *d, int n, maggi_seeds *seeds, int
   r->lane[i].name = at;                                                                            \
   at += nq;
     MAGGI_LANE_LIST(X)
+#undef X
+#define X(name)                                                                                    \
+  r->lane[i].name = at;                                                                            \
+  at += nstate;
+    MAGGI_LANE_FILTER_LIST(X)
 #undef X
   }
   *reversal = r;

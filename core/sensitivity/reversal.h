@@ -25,9 +25,19 @@
   X(qsum)                                                                                          \
   X(usum)
 
+/* of states of filters, (nstate) each */
+#define MAGGI_LANE_FILTER_LIST(X)                                                                  \
+  X(y)     /* at the node */                                                                       \
+  X(yrate) /* of their rates, which the evaluation computes */                                     \
+  X(y0)    /* the same at the node before */                                                       \
+  X(yrate0)                                                                                        \
+  X(dy) /* of a stage */                                                                           \
+  X(ysum)
+
 typedef struct maggi_lane {
 #define X(name) double *name;
   MAGGI_LANE_LIST(X)
+  MAGGI_LANE_FILTER_LIST(X)
 #undef X
   double *constants; /* adjoints of what depends on p alone */
 } maggi_lane;
@@ -44,7 +54,8 @@ typedef struct maggi_reversal {
   maggi_derivative *D;
   maggi_seeds *seeds;
   int is_continuous;
-  int n; /* lanes */
+  unsigned need; /* of rates of filters */
+  int n;         /* lanes */
   maggi_lane *lane;
   double *memory, *constants;
 } maggi_reversal;
@@ -57,10 +68,10 @@ void maggi_reversal_free(maggi_reversal *r);
 /* Back from sample j of the tape to the one before, which is not counted yet; k is the number of sample j
  * in the simulation.  d stands at the end of the tape at first. */
 maggi_status maggi_reversal_step(maggi_reversal *r, maggi_tape *tape, long j, long k);
-/* Sample k at a state given as q, v, a, which is c (q, v, a of the node before; q, v, a of the one that was
- * reached). */
+/* Sample k at a state given as q, v, a, y, which is c (q, v, a of the node before; q, v, a of the one that was
+ * reached), see maggi_between. */
 maggi_status maggi_reversal_sample(maggi_reversal *r, const double *given, double time, long k,
-                                   const double c[3][6]);
+                                   const double c[MAGGI_BETWEEN][6]);
 /* The sample at the start of the simulation, which is the first of the tape, and the initial state. */
 maggi_status maggi_reversal_finish(maggi_reversal *r, maggi_tape *tape);
 /* gradients by p, after the end (np) */
@@ -82,5 +93,8 @@ maggi_status maggi_reversal_evaluate(maggi_reversal *r, const maggi_tape *tape, 
 /* D->adjoint for a lane: zero but for the constants, which go on; v and a as given (nq) */
 void maggi_reversal_choose(maggi_reversal *r, const maggi_lane *lane, const double *v,
                            const double *a);
+/* Before maggi_adjoint_motion: back through the rates of filters, whose adjoints are lane->yrate, and through
+ * results with the adjoints of D->adjoint that `need` names.  Adjoints of y are then in D->adjoint.y. */
+void maggi_reversal_results(maggi_reversal *r, const maggi_lane *lane, unsigned need);
 
 #endif

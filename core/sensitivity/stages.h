@@ -65,6 +65,8 @@ CALL(sensor_accelerations, point_accelerations, t->npointdyn, t->npoint, WITH(r)
      WITH(Za), WITH(ra))
 STAGE(sensors, WITH(p), d->origin, WITH(spring0), WITH(q), WITH(v), WITH(A), WITH(x), WITH(r),
       WITH(Z), WITH(rv), WITH(Za), WITH(ra), WITH(lambda), WITH(slip), WITH(grip), WITH(sensor))
+STAGE(filter_rates, WITH(p), WITH(sensor), WITH(y), WITH(yrate))
+STAGE(filter_outputs, WITH(p), WITH(y), WITH(weighted))
 STAGE(kinetic_energy, WITH(p), WITH(I), WITH(Z), WITH(rv), WITH(kinetic))
 STAGE(potential_energy, WITH(p), d->origin, WITH(body0), WITH(spring0), WITH(q), WITH(A), WITH(x),
       WITH(r), WITH(potential))

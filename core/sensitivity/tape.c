@@ -26,6 +26,7 @@ static void keep(const maggi_tape *tape, long step, int stage)
 
   memcpy(x, d->q, (size_t)d->t.nq * sizeof(double));
   memcpy(x + d->t.nq, d->vcol, (size_t)d->t.nind * sizeof(double));
+  memcpy(x + d->t.nq + d->t.nind, d->y, (size_t)d->t.nstate * sizeof(double));
 }
 
 void maggi_tape_load(const maggi_tape *tape, const double *state)
@@ -34,10 +35,12 @@ void maggi_tape_load(const maggi_tape *tape, const double *state)
 
   memcpy(d->q, state, (size_t)d->t.nq * sizeof(double));
   memcpy(d->vcol, state + d->t.nq, (size_t)d->t.nind * sizeof(double));
+  memcpy(d->y, state + d->t.nq + d->t.nind, (size_t)d->t.nstate * sizeof(double));
 }
 
 /* a node by the present choice */
-static void keep_node(const maggi_tape *tape, long step, const double *q, const double *v)
+static void keep_node(const maggi_tape *tape, long step, const double *q, const double *v,
+                      const double *y)
 {
   const maggi_data *d = tape->d;
   double *x = place(tape, step, 0);
@@ -45,6 +48,7 @@ static void keep_node(const maggi_tape *tape, long step, const double *q, const 
 
   memcpy(x, q, (size_t)d->t.nq * sizeof(double));
   for (i = 0; i < d->t.nind; ++i) x[d->t.nq + i] = v[d->t.colq[i]];
+  memcpy(x + d->t.nq + d->t.nind, y, (size_t)d->t.nstate * sizeof(double));
 }
 
 /* --------------------------------------------------------------------------------- changes */
@@ -67,7 +71,8 @@ static int is_same_plan(const maggi_tape *tape, void *memory)
 
 /* The choice is another one than when the tape last looked, or has been made at a node beyond this one,
  * from which the simulation has come back: then it counts as made here. */
-static void look_for_change(maggi_tape *tape, long node, const double *q, const double *v)
+static void look_for_change(maggi_tape *tape, long node, const double *q, const double *v,
+                            const double *y)
 {
   const maggi_data *d = tape->d;
   maggi_tape_change *c;
@@ -85,7 +90,7 @@ static void look_for_change(maggi_tape *tape, long node, const double *q, const 
   tape->nchange = first + 1;
   tape->plans = d->plans;
   save_plan(tape, tape->plan);
-  keep_node(tape, node, q, v);
+  keep_node(tape, node, q, v, y);
 }
 
 /* --------------------------------------------------------------------------------- follower */
@@ -95,7 +100,7 @@ static void begin(maggi_follower *f)
   maggi_tape *tape = of(f);
   long node = tape->at[MAGGI_START];
 
-  look_for_change(tape, node, tape->d->q0, tape->d->v0);
+  look_for_change(tape, node, tape->d->q0, tape->d->v0, tape->d->y0);
   tape->step[node].time = tape->d->start.time;
   tape->stage = 0;
 }
@@ -135,7 +140,7 @@ static void copy(maggi_follower *f, maggi_place to, maggi_place from)
   tape->at[to] = tape->at[from];
 }
 
-static void interpolate(maggi_follower *f, const double c[3][6])
+static void interpolate(maggi_follower *f, const double c[MAGGI_BETWEEN][6])
 {
   (void)f, (void)c;
 }
@@ -152,17 +157,18 @@ static void add_sample(maggi_tape *tape)
   s->time = d->time;
   s->is_between = d->is_ahead;
   if (!d->is_ahead) {
-    look_for_change(tape, tape->at[MAGGI_PRESENT], d->q, d->v);
+    look_for_change(tape, tape->at[MAGGI_PRESENT], d->q, d->v, d->y);
     s->steps = tape->at[MAGGI_PRESENT];
   } else {
-    look_for_change(tape, tape->at[MAGGI_NODE], d->qn, d->vn);
+    look_for_change(tape, tape->at[MAGGI_NODE], d->qn, d->vn, d->yn);
     s->steps = tape->at[MAGGI_NODE];
     H = d->node.time - d->start.time;
-    maggi_quintic((d->time - d->start.time) / H, H, s->c);
-    given = tape->given + 3 * nq * (size_t)tape->ngiven;
+    maggi_between((d->time - d->start.time) / H, H, s->c);
+    given = tape->given + maggi_tape_given_size(&d->t) * (size_t)tape->ngiven;
     memcpy(given, d->q, nq * sizeof(double));
     memcpy(given + nq, d->v, nq * sizeof(double));
     memcpy(given + 2 * nq, d->a, nq * sizeof(double));
+    memcpy(given + 3 * nq, d->y, (size_t)d->t.nstate * sizeof(double));
     s->given = tape->ngiven++;
   }
   tape->nstep = s->steps;
@@ -200,7 +206,7 @@ static maggi_status make_room(maggi_tape *tape)
   ok = FIT(state, capstate, tape->nstep + STEPS_AT_ONCE, 4 * tape->size) &&
        FIT(step, capstep, tape->nstep + STEPS_AT_ONCE, 1) &&
        FIT(sample, capsample, tape->nsample + 1, 1) &&
-       FIT(given, capgiven, tape->ngiven + 1, 3 * (t->nq + 1)) &&
+       FIT(given, capgiven, tape->ngiven + 1, maggi_tape_given_size(t) + 1) &&
        FIT(change, capchange, tape->nchange + STEPS_AT_ONCE, 1);
   for (; ok && old < tape->capchange; ++old) {
     c = &tape->change[old];
@@ -215,7 +221,8 @@ static maggi_status make_room(maggi_tape *tape)
 
 size_t maggi_tape_step_size(const maggi_data *d)
 {
-  return 8 * (size_t)d->t.nq * sizeof(double) + sizeof(maggi_tape_step) + sizeof(maggi_tape_sample);
+  return (8 * (size_t)d->t.nq + 4 * (size_t)d->t.nstate) * sizeof(double) +
+         sizeof(maggi_tape_step) + sizeof(maggi_tape_sample);
 }
 
 maggi_status maggi_tape_create(maggi_data *d, maggi_tape **tape_out)
@@ -225,7 +232,7 @@ maggi_status maggi_tape_create(maggi_data *d, maggi_tape **tape_out)
   *tape_out = NULL;
   if (!tape) return MAGGI_E_MEMORY;
   tape->d = d;
-  tape->size = (size_t)(d->t.nq + d->t.nq);
+  tape->size = (size_t)(d->t.nq + d->t.nq + d->t.nstate);
   tape->follower = (maggi_follower){begin, stage, end, renewed, copy, interpolate};
   tape->plan = malloc(maggi_saved_plan_size(&d->t) + 1);
   if (!tape->plan) {
@@ -259,7 +266,7 @@ maggi_status maggi_tape_begin(maggi_tape *tape)
   maggi_data *d = tape->d;
   maggi_status status;
 
-  tape->size = (size_t)(d->t.nq + d->t.nind);
+  tape->size = (size_t)(d->t.nq + d->t.nind + d->t.nstate);
   tape->nstep = tape->nsample = tape->ngiven = tape->nchange = 0;
   status = make_room(tape);
   if (status != MAGGI_OK) return status;
@@ -268,12 +275,12 @@ maggi_status maggi_tape_begin(maggi_tape *tape)
   tape->at[MAGGI_START] = tape->at[MAGGI_PRESENT] = 0;
   tape->at[MAGGI_NODE] = 1;
   if (d->is_ahead) {
-    keep_node(tape, 0, d->q0, d->v0);
-    keep_node(tape, 1, d->qn, d->vn);
+    keep_node(tape, 0, d->q0, d->v0, d->y0);
+    keep_node(tape, 1, d->qn, d->vn, d->yn);
     tape->step[0].time = d->start.time;
     tape->step[1].time = d->node.time;
   } else {
-    keep_node(tape, 0, d->q, d->v);
+    keep_node(tape, 0, d->q, d->v, d->y);
     tape->step[0].time = d->time;
   }
   add_sample(tape);

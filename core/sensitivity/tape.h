@@ -2,7 +2,7 @@
  * equations of motion were evaluated, and what was decided.
  *
  * Step i goes from node i to node i + 1 with stages 0 .. 3, the first at node i.  Samples are taken after
- * the reset, or a snapshot, and after every maggi_step: at a node, or between two (maggi_quintic). */
+ * the reset, or a snapshot, and after every maggi_step: at a node, or between two (maggi_between). */
 #ifndef MAGGI_TAPE_H
 #define MAGGI_TAPE_H
 
@@ -17,7 +17,7 @@ typedef struct maggi_tape_sample {
   long steps;     /* so far */
   double time;    /* [s] */
   int is_between; /* the last two nodes, with the coefficients: */
-  double c[3][6];
+  double c[MAGGI_BETWEEN][6];
   long given; /* which state between nodes */
 } maggi_tape_sample;
 
@@ -31,14 +31,14 @@ typedef struct maggi_tape_change {
 typedef struct maggi_tape {
   maggi_follower follower; /* first: the two addresses are one */
   maggi_data *d;
-  size_t size;                          /* numbers of a state: positions, independent velocities */
-  long at[MAGGI_PLACES];                /* nodes of the places */
+  size_t size;           /* numbers of a state: positions, independent velocities, filters */
+  long at[MAGGI_PLACES]; /* nodes of the places */
   long nstep, nsample, ngiven, nchange; /* on the tape; its last node is nstep */
   long capstate, capstep, capsample, capgiven, capchange;
   double *state;             /* (capstate x 4 x size) */
   maggi_tape_step *step;     /* (capstep) */
   maggi_tape_sample *sample; /* (capsample) */
-  double *given;             /* (capgiven x 3 x nq) states between nodes: q, v, a */
+  double *given; /* (capgiven x maggi_tape_given_size) states between nodes: q, v, a, y */
   maggi_tape_change *change; /* (capchange) */
   void *plan;                /* the choice when the tape last looked */
   long plans;                /* d->plans then */
@@ -61,7 +61,12 @@ static inline const double *maggi_tape_state(const maggi_tape *tape, long step, 
   return tape->state + ((size_t)step * 4 + (size_t)stage) * tape->size;
 }
 
-/* d->q and d->vcol from a state */
+static inline size_t maggi_tape_given_size(const maggi_topo *t)
+{
+  return 3 * (size_t)t->nq + (size_t)t->nstate;
+}
+
+/* d->q, d->vcol and d->y from a state */
 void maggi_tape_load(const maggi_tape *tape, const double *state);
 
 #endif

@@ -118,7 +118,8 @@ static maggi_status simulate(work *w)
 /* from sample k, and with it, to the one before */
 static maggi_status go_back(work *w, long k)
 {
-  static const double node[3][6] = {{0, 0, 0, 1, 0, 0}, {0, 0, 0, 0, 1, 0}, {0, 0, 0, 0, 0, 1}};
+  static const double node[MAGGI_BETWEEN][6] = {
+      {0, 0, 0, 1, 0, 0}, {0, 0, 0, 0, 1, 0}, {0, 0, 0, 0, 0, 1}, {0, 0, 0, 1, 0, 0}};
   maggi_study *s = w->s;
   maggi_penalty *penalty = s->penalty;
   maggi_data *d = s->d;

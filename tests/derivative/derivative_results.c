@@ -37,8 +37,10 @@ static reference_motion *moved(const probe *o, const double *x, long double move
   reference_number *q = reference_motion_array(z, "q"), *v = reference_motion_array(z, "v");
   reference_number *a = reference_motion_array(z, "a"), *vcol = reference_motion_array(z, "vcol");
   reference_number *p = reference_motion_array(z, "p"), step[3] = {0.0L};
+  reference_number *y = reference_motion_array(z, "y");
   int i, j, k, c, nq = o->s->nq;
 
+  for (i = 0; i < d->t.nstate; ++i) y[i] = d->y[i]; /* moved by whole simulations alone */
   for (i = 0; i < nq; ++i) {
     k = d->m->coordinate[i].q;
     c = d->t.col[k];
@@ -64,11 +66,10 @@ static reference_motion *moved(const probe *o, const double *x, long double move
 /* derivatives of the signals along x */
 static double *complex_step(const probe *o, const double *x, double move, const double *to)
 {
-  static const char *const array[] = {[MAGGI_SIGNAL_POSITION] = "q",
-                                      [MAGGI_SIGNAL_VELOCITY] = "v",
-                                      [MAGGI_SIGNAL_ACCELERATION] = "a",
-                                      [MAGGI_SIGNAL_WRENCH] = "wrench",
-                                      [MAGGI_SIGNAL_SENSOR] = "sensor"};
+  static const char *const array[] = {
+      [MAGGI_SIGNAL_POSITION] = "q",     [MAGGI_SIGNAL_VELOCITY] = "v",
+      [MAGGI_SIGNAL_ACCELERATION] = "a", [MAGGI_SIGNAL_WRENCH] = "wrench",
+      [MAGGI_SIGNAL_SENSOR] = "sensor",  [MAGGI_SIGNAL_FILTER] = "weighted"};
   reference_motion *z = moved(o, x, move, to);
   reference_number energy[3], value;
   maggi_signal_place place;

@@ -55,7 +55,7 @@ static int succeeds(const simulation *s, const char *what, maggi_status status, 
 
 /* ----------------------------------------------------------------------------------------- signals */
 
-/* positions, velocities, accelerations, energies, forces, moments, and each sensor */
+/* positions, velocities, accelerations, energies, forces, moments, each sensor and each filter */
 static int group_of(const simulation *s, int signal)
 {
   int n = 3 * s->m->ncoordinate;
@@ -65,7 +65,9 @@ static int group_of(const simulation *s, int signal)
   if (signal < 3) return 3;
   signal -= 3;
   if (signal < 6 * s->m->nbody) return 4 + signal % 6 / 3;
-  return 6 + (signal - 6 * s->m->nbody) / 3;
+  signal -= 6 * s->m->nbody;
+  if (signal < 3 * s->d->t.nsensor) return 6 + signal / 3;
+  return 6 + s->d->t.nsensor + signal - 3 * s->d->t.nsensor;
 }
 
 static void check_name(const simulation *s, int signal, const char *name, const char *suffix)
@@ -90,6 +92,7 @@ static void check_names(const simulation *s)
   for (i = 0; i < 6 * s->m->nbody; ++i)
     check_name(s, n++, maggi_body_name(s->m, i / 6), wrench[i % 6]);
   for (i = 0; i < columns; ++i) check_name(s, n++, maggi_sensor_column_name(s->m, i), "");
+  for (i = 0; i < s->d->t.nfilter; ++i) check_name(s, n++, maggi_filter_column_name(s->m, i), "");
   report_true(s->c->seed, "signals have their number", n == maggi_signal_number(s->m));
 }
 
@@ -289,7 +292,7 @@ static void check_course(const course *c)
     s.signal[i] = i;
     s.group[i] = group_of(&s, i);
   }
-  s.ngroup = 6 + s.d->t.nsensor;
+  s.ngroup = 6 + s.d->t.nsensor + s.d->t.nfilter;
   if (s.ngroup > GROUPS_MAX || maggi_grid_init(&s.grid, c->steps * c->step, c->step) != MAGGI_OK)
     abort();
   check_names(&s);

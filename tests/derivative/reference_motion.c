@@ -81,6 +81,7 @@ void reference_motion_stage(reference_motion *m, reference_number time)
 {
   maggi_constants(&m->data);
   maggi_evaluate(&m->data, time);
+  maggi_evaluate_filters(&m->data);
 }
 
 void reference_motion_evaluate(reference_motion *m, reference_number time)

@@ -7,7 +7,7 @@
 
 /* as maggi_node */
 typedef struct node {
-  reference_number *q, *v, *a;
+  reference_number *q, *v, *a, *y, *yrate;
 } node;
 
 struct replay {
@@ -17,7 +17,7 @@ struct replay {
   reference_motion *z;
   reference_number *vcol, *acol; /* of z */
   node place[MAGGI_PLACES];      /* the present one is that of z */
-  reference_number *slope[2];    /* weighted sums of slopes of a step */
+  reference_number *slope[3];    /* weighted sums of slopes of a step */
   int begun;                     /* parts of the present step */
   replay_counts count;
 };
@@ -33,6 +33,11 @@ static void *room(int n, size_t size)
 static size_t bytes(const replay *r)
 {
   return (size_t)r->t.nq * sizeof(reference_number);
+}
+
+static size_t filter_bytes(const replay *r)
+{
+  return (size_t)r->t.nstate * sizeof(reference_number);
 }
 
 /* ---------------------------------------------------------------------------------------- memory */
@@ -66,6 +71,8 @@ static void begin_motion(replay *r, const maggi_data *d)
   r->place[MAGGI_PRESENT].q = reference_motion_array(r->z, "q");
   r->place[MAGGI_PRESENT].v = reference_motion_array(r->z, "v");
   r->place[MAGGI_PRESENT].a = reference_motion_array(r->z, "a");
+  r->place[MAGGI_PRESENT].y = reference_motion_array(r->z, "y");
+  r->place[MAGGI_PRESENT].yrate = reference_motion_array(r->z, "yrate");
 }
 
 /* the plan of d at the same positions */
@@ -80,6 +87,7 @@ static void change_motion(replay *r, const maggi_data *d)
          (size_t)t.np * sizeof *from.q);
   memcpy(r->place[MAGGI_PRESENT].q, from.q, bytes(r));
   memcpy(r->place[MAGGI_PRESENT].v, from.v, bytes(r));
+  memcpy(r->place[MAGGI_PRESENT].y, from.y, filter_bytes(r));
   reference_motion_free(old);
   free_plan(&t);
 }
@@ -106,11 +114,13 @@ void replay_free(replay *r)
     reference_motion_free(r->z);
     free_plan(&r->t);
   }
-  for (i = 0; i < 2; ++i) free(r->slope[i]);
+  for (i = 0; i < 3; ++i) free(r->slope[i]);
   for (i = 0; i < MAGGI_PRESENT; ++i) {
     free(r->place[i].q);
     free(r->place[i].v);
     free(r->place[i].a);
+    free(r->place[i].y);
+    free(r->place[i].yrate);
   }
   maggi_data_free(r->d);
   free(r);
@@ -132,6 +142,10 @@ static void stage(replay *r, double weight, double ahead, double time)
     now->q[i] = start->q[i] + ahead * now->v[i];
   }
   for (i = 0; i < t->nind; ++i) r->vcol[i] = start->v[t->colq[i]] + ahead * now->a[t->colq[i]];
+  for (i = 0; i < t->nstate; ++i) {
+    r->slope[2][i] += weight * now->yrate[i];
+    now->y[i] = start->y[i] + ahead * now->yrate[i];
+  }
   reference_motion_stage(r->z, time);
 }
 
@@ -145,8 +159,10 @@ static maggi_status end(maggi_follower *follower, double h, double time, int is_
 
   memset(r->slope[0], 0, bytes(r));
   memset(r->slope[1], 0, bytes(r));
+  memset(r->slope[2], 0, filter_bytes(r));
   memcpy(now->v, start->v, bytes(r));
   memcpy(now->a, start->a, bytes(r));
+  memcpy(now->yrate, start->yrate, filter_bytes(r));
   stage(r, 1.0, 0.5 * h, from + 0.5 * h);
   stage(r, 2.0, 0.5 * h, from + 0.5 * h);
   stage(r, 2.0, h, from + h);
@@ -155,6 +171,8 @@ static maggi_status end(maggi_follower *follower, double h, double time, int is_
     k = t->colq[i];
     r->vcol[i] = start->v[k] + h / 6.0L * (r->slope[1][k] + now->a[k]);
   }
+  for (i = 0; i < t->nstate; ++i)
+    now->y[i] = start->y[i] + h / 6.0L * (r->slope[2][i] + now->yrate[i]);
   r->count.closures += is_projected;
   if (is_projected && !reference_motion_close(r->z, time)) return MAGGI_E_LOCKUP;
   reference_motion_evaluate(r->z, time);
@@ -195,10 +213,12 @@ static void copy(maggi_follower *follower, maggi_place to, maggi_place from)
   memcpy(r->place[to].q, r->place[from].q, bytes(r));
   memcpy(r->place[to].v, r->place[from].v, bytes(r));
   memcpy(r->place[to].a, r->place[from].a, bytes(r));
+  memcpy(r->place[to].y, r->place[from].y, filter_bytes(r));
+  memcpy(r->place[to].yrate, r->place[from].yrate, filter_bytes(r));
 }
 
-/* q = sum c_k s^k, with q, v, a at both ends of the step of length H */
-static void interpolate(maggi_follower *follower, const double factors[3][6])
+/* q = sum c_k s^k, with q, v, a at both ends of the step of length H; filters likewise, with two of them */
+static void interpolate(maggi_follower *follower, const double factors[MAGGI_BETWEEN][6])
 {
   replay *r = (replay *)follower;
   const node *a = &r->place[MAGGI_START], *b = &r->place[MAGGI_NODE];
@@ -224,6 +244,13 @@ static void interpolate(maggi_follower *follower, const double factors[3][6])
     for (k = 5; k >= 0; --k) now->q[i] = now->q[i] * s + c[k];
     for (k = 5; k >= 1; --k) now->v[i] = now->v[i] * s + k * c[k] / H;
     for (k = 5; k >= 2; --k) now->a[i] = now->a[i] * s + k * (k - 1) * c[k] / (H * H);
+  }
+  for (i = 0; i < r->t.nstate; ++i) {
+    c[0] = a->y[i];
+    c[1] = H * a->yrate[i];
+    d[0] = b->y[i] - c[0] - c[1];
+    d[1] = H * b->yrate[i] - c[1];
+    now->y[i] = c[0] + s * (c[1] + s * (3.0L * d[0] - d[1] + s * (d[1] - 2.0L * d[0])));
   }
   reference_motion_given(r->z, r->d->time);
   ++r->count.between;
@@ -281,11 +308,15 @@ replay *replay_create(const maggi_data *d, const double *x)
 
   r->follower = (maggi_follower){begin, ignore, end, renewed, copy, interpolate};
   r->d = replay_copy(d);
-  for (i = 0; i < 2; ++i) r->slope[i] = room(nq, sizeof *r->slope[i]);
+  r->slope[0] = room(nq, sizeof(reference_number));
+  r->slope[1] = room(nq, sizeof(reference_number));
+  r->slope[2] = room(d->t.nstate, sizeof(reference_number));
   for (i = 0; i < MAGGI_PRESENT; ++i) {
     r->place[i].q = room(nq, sizeof(reference_number));
     r->place[i].v = room(nq, sizeof(reference_number));
     r->place[i].a = room(nq, sizeof(reference_number));
+    r->place[i].y = room(d->t.nstate, sizeof(reference_number));
+    r->place[i].yrate = room(d->t.nstate, sizeof(reference_number));
   }
   ok = maggi_data_reset(r->d) == MAGGI_OK && maggi_data_reset(assembled) == MAGGI_OK &&
        r->d->is_settled;
@@ -314,7 +345,7 @@ replay_counts replay_count(const replay *r)
 
 int replay_number(const replay *r)
 {
-  return 3 * r->d->m->ncoordinate + 3 + 6 * r->d->m->nbody + 3 * r->t.nsensor;
+  return 3 * r->d->m->ncoordinate + 3 + 6 * r->d->m->nbody + 3 * r->t.nsensor + r->t.nfilter;
 }
 
 /* what the parent exerts, at the joint point x of the body; wrench: of all else, at the origin */
@@ -353,4 +384,6 @@ void replay_values(replay *r, reference_number *values)
     reaction(x + 3 * k, wrench + 6 * k, values);
   }
   memcpy(values, reference_motion_array(r->z, "sensor"), (size_t)r->t.nsensor * 3 * sizeof *values);
+  values += r->t.nsensor * 3;
+  memcpy(values, reference_motion_array(r->z, "weighted"), (size_t)r->t.nfilter * sizeof *values);
 }

@@ -28,7 +28,7 @@ typedef struct replay_counts {
 replay_counts replay_count(const replay *r);
 
 /* Present values of all signals (maggi.h), in their order: q, v, a of each coordinate; kinetic, potential,
- * total energy; reactions; sensors. */
+ * total energy; reactions; sensors; filters. */
 int replay_number(const replay *r);
 void replay_values(replay *r, reference_number *values);
 

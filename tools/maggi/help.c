@@ -66,6 +66,7 @@ static const char help_simulate[] =
     "  NAME.fx .. .fz, .mx .. .mz   force and moment that the parent exerts on the body,\n"
     "                               at the joint point, global axes\n"
     "  sensors                      as the model names them\n"
+    "  NAME.weighted                what each filter says\n"
     "  loops.pivot_ratio            near 0 at a singular position\n"
     "  loops.violation              largest error of a loop equation\n"
     "\n"
@@ -218,8 +219,8 @@ static const char help_info[] =
     "  --json               as one JSON object\n"
     "\n"
     "Prints the bodies with their joints as a tree, the loops with kind and number of\n"
-    "equations, rank, degrees of freedom, independent coordinates, sensors, objectives,\n"
-    "design parameters, and the parameters with path, value and unit.\n";
+    "equations, rank, degrees of freedom, independent coordinates, sensors, filters and their\n"
+    "states, objectives, design parameters, and the parameters with path, value and unit.\n";
 
 static const char help_models[] =
     "maggi models [--json]\n"

@@ -78,6 +78,16 @@ static void print_sensors(const subject *s)
            maggi_sensor_column_unit(s->model, i));
 }
 
+static void print_filters(const subject *s)
+{
+  int i;
+
+  if (s->info.filters > 0) printf("\nfilters, %d states\n", s->info.filter_states);
+  for (i = 0; i < s->info.filters; ++i)
+    printf("  %-30s %s\n", maggi_filter_column_name(s->model, i),
+           maggi_filter_column_unit(s->model, i));
+}
+
 /* Names that `name` gives for 0, 1, .. */
 static void print_declared(const subject *s, const char *title,
                            const char *(*name)(const maggi_model *m, int index))
@@ -116,6 +126,7 @@ static int print_all(const subject *s)
   print_loops(s);
   print_independent(s);
   print_sensors(s);
+  print_filters(s);
   print_declared(s, "objectives", maggi_model_objective);
   print_declared(s, "design parameters", maggi_model_design);
   if (s->info.parameters > 0) puts("\nparameters");

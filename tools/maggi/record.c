@@ -113,6 +113,9 @@ static void write_columns(json *j, const rows *r)
   for (i = 0; i < r->info.sensor_columns; ++i)
     write_column(j, maggi_sensor_column_name(r->model, i), "",
                  maggi_sensor_column_unit(r->model, i));
+  for (i = 0; i < r->info.filters; ++i)
+    write_column(j, maggi_filter_column_name(r->model, i), "",
+                 maggi_filter_column_unit(r->model, i));
   if (r->info.loops > 0) {
     write_column(j, "loops.pivot_ratio", "", "-");
     write_column(j, "loops.violation", "", "m, rad");

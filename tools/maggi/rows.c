@@ -1,4 +1,5 @@
-/* Columns of a simulation, in this order: time, coordinates, energy, reactions, sensors, loops. */
+/* Columns of a simulation, in this order: time, coordinates, energy, reactions, sensors, filters,
+ * loops. */
 #include "rows.h"
 
 #include <stdlib.h>
@@ -71,9 +72,10 @@ int rows_init(rows *r, const maggi_model *m, int energy, const char *reactions)
   r->v = calloc(n, sizeof *r->v);
   r->a = calloc(n, sizeof *r->a);
   r->sensor = calloc((size_t)r->info.sensor_columns + 1, sizeof *r->sensor);
+  r->filter = calloc((size_t)r->info.filters + 1, sizeof *r->filter);
   r->wrench = calloc((size_t)r->info.bodies * 6 + 1, sizeof *r->wrench);
   r->reaction = calloc((size_t)r->info.bodies + 1, sizeof *r->reaction);
-  if (!r->q || !r->v || !r->a || !r->sensor || !r->wrench || !r->reaction)
+  if (!r->q || !r->v || !r->a || !r->sensor || !r->filter || !r->wrench || !r->reaction)
     return message_fail(STATUS_FAILED, "out of memory");
   return reactions ? parse_reactions(r, reactions) : STATUS_DONE;
 }
@@ -84,6 +86,7 @@ void rows_free(rows *r)
   free(r->v);
   free(r->a);
   free(r->sensor);
+  free(r->filter);
   free(r->wrench);
   free(r->reaction);
 }
@@ -112,6 +115,7 @@ void rows_header(rows *r)
       table_title(t, maggi_body_name(r->model, r->reaction[i]), wrench_suffix[k]);
   for (i = 0; i < r->info.sensor_columns; ++i)
     table_title(t, maggi_sensor_column_name(r->model, i), NULL);
+  for (i = 0; i < r->info.filters; ++i) table_title(t, maggi_filter_column_name(r->model, i), NULL);
   if (r->info.loops > 0) {
     table_title(t, "loops.pivot_ratio", NULL);
     table_title(t, "loops.violation", NULL);
@@ -145,6 +149,8 @@ void rows_write(rows *r, maggi_data *d)
     for (k = 0; k < 6; ++k) table_number(t, r->wrench[6 * r->reaction[i] + k]);
   maggi_get_sensors(d, r->sensor);
   for (i = 0; i < r->info.sensor_columns; ++i) table_number(t, r->sensor[i]);
+  maggi_get_filters(d, r->filter);
+  for (i = 0; i < r->info.filters; ++i) table_number(t, r->filter[i]);
   if (r->info.loops > 0) {
     maggi_get_loop_state(d, &loops);
     table_number(t, loops.pivot_ratio);

@@ -10,14 +10,14 @@ typedef struct rows {
   table table;
   const maggi_model *model;
   maggi_model_info info;
-  int energy;     /* energy columns wanted                                  */
-  int nreaction;  /* bodies whose reactions are wanted                      */
-  int *reaction;  /* their indices                             (nreaction)  */
-  double *q;      /* workspace                                 (coordinates) */
-  double *v;      /*                                           (coordinates) */
-  double *a;      /*                                           (coordinates) */
-  double *sensor; /*                                           (sensor_columns) */
-  double *wrench; /*                                           (bodies x 6) */
+  int energy;              /* energy columns wanted                                  */
+  int nreaction;           /* bodies whose reactions are wanted                      */
+  int *reaction;           /* their indices                             (nreaction)  */
+  double *q;               /* workspace                                 (coordinates) */
+  double *v;               /*                                           (coordinates) */
+  double *a;               /*                                           (coordinates) */
+  double *sensor, *filter; /*                                           (sensor_columns) */
+  double *wrench;          /*                                           (bodies x 6) */
 } rows;
 
 /* Allocate, and understand `reactions`: "all", names between commas, or NULL for none.  Exit

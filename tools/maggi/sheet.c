@@ -95,6 +95,21 @@ static void json_sensors(json *j, const subject *s)
   json_close_array(j);
 }
 
+static void json_filters(json *j, const subject *s)
+{
+  int i;
+
+  json_integer(j, "filter_states", s->info.filter_states);
+  json_open_array(j, "filters");
+  for (i = 0; i < s->info.filters; ++i) {
+    json_open_object(j, NULL);
+    json_string(j, "name", maggi_filter_column_name(s->model, i));
+    json_string(j, "unit", maggi_filter_column_unit(s->model, i));
+    json_close_object(j);
+  }
+  json_close_array(j);
+}
+
 static void json_wheels(json *j, const subject *s)
 {
   const maggi_wheel_def *d;
@@ -178,6 +193,7 @@ void sheet_json(json *j, const subject *s)
   json_coordinates(j, s);
   json_loops(j, s);
   json_sensors(j, s);
+  json_filters(j, s);
   json_wheels(j, s);
   json_kinds(j, s, "roads", maggi_model_road);
   json_kinds(j, s, "functions", maggi_model_function);

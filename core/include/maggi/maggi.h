@@ -585,6 +585,48 @@ typedef struct maggi_sensor_def {
   const char *element; /* name of the spring, rod or wheel */
 } maggi_sensor_def;
 
+/* A filter weights a column of a sensor by frequency, as people feel vibration: a system of first order
+ * that is integrated with the motion from rest on, and differentiated with it.  It never acts on the
+ * mechanism.  Its signal is NAME.weighted, in the unit of the column.  w_k = 2 pi f_k:
+ *
+ *   H(s) = gain  s^2 / (s^2 + sqrt(2) w_1 s + w_1^2)                  high pass
+ *                w_2^2 / (s^2 + sqrt(2) w_2 s + w_2^2)                low pass
+ *                w_4^2 (1 + s/w_3) / (s^2 + w_4/q4 s + w_4^2)         transition
+ *                (s^2 + w_5/q5 s + w_5^2) / (s^2 + w_6/q6 s + w_6^2)  upward step
+ *
+ * f4 infinite: without transition, then f3 is infinite too; f3 infinite: its numerator is w_4^2; f5 and f6
+ * infinite: without step.  Two states a section.  Steps must resolve f2: classical Runge-Kutta is stable
+ * below h = 2.7 / w_2, 4 ms for 100 Hz.
+ * Paths: filters.NAME.f1 .. .gain; what is infinite, and its q, is no parameter.
+ */
+typedef struct maggi_filter_def {
+  const char *name;
+  const char *signal;            /* column of a sensor, as "seat.z" */
+  double f1, f2, f3, f4, f5, f6; /* [Hz] */
+  double q4, q5, q6;             /* quality factors */
+  double gain;
+} maggi_filter_def;
+
+/* Weightings of ISO 2631-1, ISO 2631-4 (Wb), BS 6841 (Wg), with the numbers of ISO 8041:
+ *
+ *   Wk  vertical, seat      Wd  horizontal, seat     Wf  motion sickness   Wc  horizontal, seat-back
+ *   We  rotation            Wj  vertical, head       Wb  vertical, rail    Wg  vertical, manual control
+ */
+typedef enum maggi_weighting_type {
+  MAGGI_WEIGHTING_WK,
+  MAGGI_WEIGHTING_WD,
+  MAGGI_WEIGHTING_WF,
+  MAGGI_WEIGHTING_WC,
+  MAGGI_WEIGHTING_WE,
+  MAGGI_WEIGHTING_WJ,
+  MAGGI_WEIGHTING_WB,
+  MAGGI_WEIGHTING_WG,
+  MAGGI_WEIGHTING_TYPE_COUNT
+} maggi_weighting_type;
+
+/* The numbers of a weighting, which must exist, into a definition. */
+void maggi_filter_def_weighting(maggi_filter_def *def, maggi_weighting_type weighting);
+
 /* What a model file proposes for a simulation; 0 means: no proposal. */
 typedef struct maggi_simulation_def {
   double time; /* [s] */
@@ -613,7 +655,7 @@ typedef struct maggi_start_def {
 } maggi_start_def;
 
 /* Fill a definition with its defaults (zeros; ground; x axis, y axis of a wheel; scaling factors of a
- * tyre 1; NAN where documented). */
+ * tyre 1; of a filter no transition, no step, gain 1; NAN where documented). */
 void maggi_body_def_init(maggi_body_def *def);
 void maggi_point_mass_def_init(maggi_point_mass_def *def);
 void maggi_loop_def_init(maggi_loop_def *def);
@@ -627,6 +669,7 @@ void maggi_wheel_def_init(maggi_wheel_def *def);
 void maggi_function_def_init(maggi_function_def *def);
 void maggi_sensor_def_init(maggi_sensor_def *def);
 void maggi_start_def_init(maggi_start_def *def);
+void maggi_filter_def_init(maggi_filter_def *def);
 
 /* Number of coordinates of a joint, or -1 for a wrong type. */
 int maggi_joint_dof(maggi_joint_type type);
@@ -639,12 +682,14 @@ const char *maggi_force_type_name(maggi_force_type type);
 const char *maggi_road_type_name(maggi_road_type type);
 const char *maggi_function_type_name(maggi_function_type type);
 const char *maggi_sensor_type_name(maggi_sensor_type type);
+const char *maggi_weighting_type_name(maggi_weighting_type type);
 int maggi_joint_type_find(const char *name);
 int maggi_loop_type_find(const char *name);
 int maggi_force_type_find(const char *name);
 int maggi_road_type_find(const char *name);
 int maggi_function_type_find(const char *name);
 int maggi_sensor_type_find(const char *name);
+int maggi_weighting_type_find(const char *name);
 
 /* Build a model: create, add in any order (a parent may come after its child), then
  * maggi_model_create.
@@ -683,6 +728,7 @@ maggi_status maggi_builder_sensor(maggi_builder *b, const maggi_sensor_def *def)
  * above say; or for the design parameter of that name, after all paths.  Setting an initial position or
  * velocity prescribes it.  Each name once. */
 maggi_status maggi_builder_set(maggi_builder *b, const char *name, double value);
+maggi_status maggi_builder_filter(maggi_builder *b, const maggi_filter_def *def);
 
 /* ----------------------------------------------------------------------------------- model */
 
@@ -748,6 +794,7 @@ maggi_status maggi_model_multiple_four_bar(int ny, int nz, maggi_model **model);
  *   loop_equations   their equations
  *   parameters       length of p
  *   sensor_columns   three for each sensor
+ *   filters, filter_states
  */
 typedef struct maggi_model_info {
   const char *name;
@@ -760,6 +807,8 @@ typedef struct maggi_model_info {
   int parameters;
   int sensors;
   int sensor_columns;
+  int filters;
+  int filter_states;
   maggi_simulation_def simulation;
 } maggi_model_info;
 
@@ -782,6 +831,8 @@ const char *maggi_sensor_column_unit(const maggi_model *m, int column);
 const char *maggi_coordinate_motion(const maggi_model *m, int coordinate); /* function, or NULL */
 const char *maggi_model_road(const maggi_model *m, int index, const char **type);
 const char *maggi_model_function(const maggi_model *m, int index, const char **type);
+const char *maggi_filter_column_name(const maggi_model *m, int filter); /* NAME.weighted */
+const char *maggi_filter_column_unit(const maggi_model *m, int filter);
 int maggi_body_find(const maggi_model *m, const char *name);       /* -1: none */
 int maggi_coordinate_find(const maggi_model *m, const char *name); /* -1: none */
 
@@ -828,7 +879,7 @@ double maggi_data_get_parameter(const maggi_data *d, int index);
 maggi_status maggi_data_set_tolerance(maggi_data *d, double tolerance);
 
 /* Start a simulation at t = 0: constants from p, assembly of the loops (Newton), choice of the
- * independent coordinates, completion of the velocities, one evaluation.
+ * independent coordinates, completion of the velocities, one evaluation.  Filters start at rest.
  *
  * Given positions and velocities are honoured exactly; independent coordinates that are not given
  * start at their file position and at rest.
@@ -840,7 +891,8 @@ maggi_status maggi_data_set_tolerance(maggi_data *d, double tolerance);
 maggi_status maggi_data_reset(maggi_data *d);
 
 /* Put the simulation at a given time and state: loops are closed by moving the dependent
- * coordinates, dependent velocities follow from the independent ones.  Replaces a reset.
+ * coordinates, dependent velocities follow from the independent ones.  Filters are at rest.  Replaces a
+ * reset.
  *
  * in    q, v   coordinates and velocities                              (coordinates)
  * status       as maggi_data_reset
@@ -865,6 +917,8 @@ double maggi_get_time(const maggi_data *d);
 void maggi_get_coordinates(const maggi_data *d, double *q, double *v, double *a);
 /* Columns of all sensors (sensor_columns). */
 void maggi_get_sensors(maggi_data *d, double *values);
+/* What all filters say (filters). */
+void maggi_get_filters(maggi_data *d, double *values);
 /* Torque or force of each joint coordinate's guide (coordinates): what drives a guided coordinate,
  * 0 for the others. */
 void maggi_get_drives(maggi_data *d, double *drives);
@@ -1022,8 +1076,8 @@ void maggi_motion_hvp(maggi_derivative *D, const double *v_bar, const double *a_
 
 /* A signal is a scalar over time: each column of maggi simulate but t, energy.work and loops.*, by the
  * name it has there: NAME.q NAME.v NAME.a of a coordinate, energy.kinetic energy.potential
- * energy.total, BODY.fx .. BODY.mz of a reaction, and the columns of the sensors.  Numbered from 0 in
- * this order.  A name that several have means the first. */
+ * energy.total, BODY.fx .. BODY.mz of a reaction, the columns of the sensors, NAME.weighted of filters.
+ * Numbered from 0 in this order.  A name that several have means the first. */
 int maggi_signal_number(const maggi_model *m);
 const char *maggi_signal_name(const maggi_model *m, int signal); /* NULL outside the range */
 const char *maggi_signal_unit(const maggi_model *m, int signal);
