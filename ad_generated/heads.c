@@ -1281,6 +1281,63 @@ static void generalised_forces_call_b_d(const maggi_topo *t, double *x[], double
                                (void *)x[3], (void *)xd[3], (void *)xb[3], (void *)xbd[3]);
 }
 
+static int size_nwheel(const maggi_topo *t)
+{
+  return t->nwheel;
+}
+
+static const maggi_head_argument rolling_arguments[] = {
+    {"p", MAGGI_HEAD_INPUT, size_np},
+    {"spline0", MAGGI_HEAD_INPUT, size_nspline_3},
+    {"A", MAGGI_HEAD_INPUT, size_nbody_1_9},
+    {"b", MAGGI_HEAD_INPUT, size_nbody_6},
+    {"r", MAGGI_HEAD_INPUT, size_npoint_3},
+    {"Z", MAGGI_HEAD_INPUT, size_nbody_1_6},
+    {"spin", MAGGI_HEAD_OUTPUT, size_nwheel},
+};
+
+static void rolling_call(const maggi_topo *t, double *x[])
+{
+  maggi_rolling(t, (void *)x[0], (void *)x[1], (void *)x[2], (void *)x[3], (void *)x[4],
+                (void *)x[5], (void *)x[6]);
+}
+
+static void rolling_call_d(const maggi_topo *t, double *x[], double *xd[])
+{
+  maggi_rolling_d(t, (void *)x[0], (void *)xd[0], (void *)x[1], (void *)xd[1], (void *)x[2],
+                  (void *)xd[2], (void *)x[3], (void *)xd[3], (void *)x[4], (void *)xd[4],
+                  (void *)x[5], (void *)xd[5], (void *)x[6], (void *)xd[6]);
+}
+
+#ifndef MAGGI_COMPLEX
+static void rolling_call_dv(const maggi_topo *t, double *x[], double *xd[])
+{
+  maggi_rolling_dv(t, (void *)x[0], (void *)xd[0], (void *)x[1], (void *)xd[1], (void *)x[2],
+                   (void *)xd[2], (void *)x[3], (void *)xd[3], (void *)x[4], (void *)xd[4],
+                   (void *)x[5], (void *)xd[5], (void *)x[6], (void *)xd[6], MAGGI_NDIR);
+}
+#else
+#define rolling_call_dv NULL
+#endif
+
+static void rolling_call_b(const maggi_topo *t, double *x[], double *xb[])
+{
+  maggi_rolling_b(t, (void *)x[0], (void *)xb[0], (void *)x[1], (void *)xb[1], (void *)x[2],
+                  (void *)xb[2], (void *)x[3], (void *)xb[3], (void *)x[4], (void *)xb[4],
+                  (void *)x[5], (void *)xb[5], (void *)x[6], (void *)xb[6]);
+}
+
+static void rolling_call_b_d(const maggi_topo *t, double *x[], double *xd[], double *xb[],
+                             double *xbd[])
+{
+  maggi_rolling_b_d(t, (void *)x[0], (void *)xd[0], (void *)xb[0], (void *)xbd[0], (void *)x[1],
+                    (void *)xd[1], (void *)xb[1], (void *)xbd[1], (void *)x[2], (void *)xd[2],
+                    (void *)xb[2], (void *)xbd[2], (void *)x[3], (void *)xd[3], (void *)xb[3],
+                    (void *)xbd[3], (void *)x[4], (void *)xd[4], (void *)xb[4], (void *)xbd[4],
+                    (void *)x[5], (void *)xd[5], (void *)xb[5], (void *)xbd[5], (void *)x[6],
+                    (void *)xd[6], (void *)xb[6], (void *)xbd[6]);
+}
+
 static const maggi_head_argument reactions_arguments[] = {
     {"x", MAGGI_HEAD_INPUT, size_nbody_1_3},
     {"FS", MAGGI_HEAD_INPUT, size_nbody_1_6},
@@ -1666,6 +1723,8 @@ const maggi_head maggi_heads[] = {
   {"maggi_generalised_forces", 4, generalised_forces_arguments, generalised_forces_call,
       generalised_forces_call_d, generalised_forces_call_dv, generalised_forces_call_b,
       generalised_forces_call_b_d},
+  {"maggi_rolling", 7, rolling_arguments, rolling_call, rolling_call_d, rolling_call_dv,
+      rolling_call_b, rolling_call_b_d},
   {"maggi_reactions", 3, reactions_arguments, reactions_call, reactions_call_d, reactions_call_dv,
       reactions_call_b, reactions_call_b_d},
   {"maggi_sensors", 16, sensors_arguments, sensors_call, sensors_call_d, sensors_call_dv,
@@ -1681,4 +1740,4 @@ const maggi_head maggi_heads[] = {
       potential_energy_call_b_d},
 };
 
-const int maggi_nhead = 31;
+const int maggi_nhead = 32;

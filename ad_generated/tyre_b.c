@@ -30,16 +30,16 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
                           double f[restrict t->nwheel][6], double fb[restrict t->nwheel][6],
                           double F[restrict t->nwheel][6], double Fb[restrict t->nwheel][6])
 {
-  int a, i, k3, k5, k6, k8, k9, k9_2, point, road;
+  int i, k3, k5, k6, k8, k9, k9_2, road;
   double L0, L0b, L1, L1b, L2, L2b, N0, N0b, N1, N2, N2b, T0, T0b, T1, T1b, T2, T2b, Z_i3, Z_i3b,
-      Z_i4, Z_i4b, Z_i5, Z_i5b, a2, a2b, a3, a3b, a4, a4b, a5, a5b, a6, a6b, along0, along0b,
-      along1, along1b, along2, along2b, ar, arb, areq, areqb, arm0, arm0b, arm1, arm1b, arm2, arm2b,
-      at, atb, ateq, ateqb, axis0, axis0b, axis1, axis1b, axis2, axis2b, ay, ayb, b0, b0b, b2, b2b,
-      b30, b30b, b31, b31b, b4, b4b, base, base2, base2b, baseb, br, brb, bt, btb, c, c2, c2b, c3,
-      c3b, c4, c4b, c5, c5b, ca, cab, cb, dfz, dfzb, dr, drb, dt, dtb, dv, dvb, e, e10, e10b, e11,
-      e11b, e2, e2b, e3, e3b, e4, e4b, e5, e5b, e6, e6b, e7, e7b, e8, e8b, e9, e9b, eb, et, etb, ex,
-      exb, ey, eyb, f2, f2b, f3, f3b, f_i0, f_i0b, f_i1, f_i1b, f_i2, f_i2b, f_i3, f_i3b, f_i4,
-      f_i4b, f_i5, f_i5b, force0b, force1b, force2, force2_2b, force2b, force30, force30b, force31,
+      Z_i4, Z_i4b, Z_i5, Z_i5b, a, a2, a2b, a3, a3b, a4, a4b, a5, a5b, ab, along0, along0b, along1,
+      along1b, along2, along2b, ar, arb, areq, areqb, arm0, arm0b, arm1, arm1b, arm2, arm2b, at,
+      atb, ateq, ateqb, axis0, axis0b, axis1, axis1b, axis2, axis2b, ay, ayb, b0, b0b, b2, b2b, b30,
+      b30b, b31, b31b, b4, b4b, base, base2, base2b, baseb, br, brb, bt, btb, c, c2, c2b, c3, c3b,
+      c4, c4b, c5, c5b, ca, cab, cb, dfz, dfzb, dr, drb, dt, dtb, dv, dvb, e, e10, e10b, e11, e11b,
+      e2, e2b, e3, e3b, e4, e4b, e5, e5b, e6, e6b, e7, e7b, e8, e8b, e9, e9b, eb, et, etb, ex, exb,
+      ey, eyb, f2, f2b, f3, f3b, f_i0, f_i0b, f_i1, f_i1b, f_i2, f_i2b, f_i3, f_i3b, f_i4, f_i4b,
+      f_i5, f_i5b, force0b, force1b, force2, force2_2b, force2b, force30, force30b, force31,
       force31b, force32, force32b, force3_2b, force4b, force5b, fx, fxb, fy, fyb, fz, fz0, fz0_2,
       fz0_2b, fz0_3, fz0_3b, fz0_4, fz0_4b, fz0b, fz2, fz2b, fzb, g0, g0b, g20, g20b, g21, g21b,
       g22, g22b, g23, g23b, g24, g24b, g25, g25b, g26, g26b, g27, g27b, g28, g28b, g2_2, g2_2b,
@@ -97,23 +97,23 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
       z3_3b, z3b, z40, z40b, z41b, z5, z5b, z6, z6b, z7, z7b;
 
   for (i = t->nwheel - 1; i >= 0; --i) {
-    a = t->wheelbody[i];
     road = t->wheelroad[i];
-    point = t->wheelpoint[i];
-    side = t->wheelmirror[i] ? -1.0 : 1.0;
     axis0 = p[t->wheelaxis[i]];
     axis1 = p[t->wheelaxis[i] + 1];
     axis2 = p[t->wheelaxis[i] + 2];
-    ua0 = A[a][0] * axis0 + A[a][1] * axis1 + A[a][2] * axis2;
-    ua1 = A[a][3] * axis0 + A[a][4] * axis1 + A[a][5] * axis2;
-    ua2 = A[a][6] * axis0 + A[a][7] * axis1 + A[a][8] * axis2;
+    ua0 = A[t->wheelbody[i]][0] * axis0 + A[t->wheelbody[i]][1] * axis1 + A[t->wheelbody[i]][2] *
+        axis2;
+    ua1 = A[t->wheelbody[i]][3] * axis0 + A[t->wheelbody[i]][4] * axis1 + A[t->wheelbody[i]][5] *
+        axis2;
+    ua2 = A[t->wheelbody[i]][6] * axis0 + A[t->wheelbody[i]][7] * axis1 + A[t->wheelbody[i]][8] *
+        axis2;
     t2 = ua0 * ua0 + ua1 * ua1 + ua2 * ua2;
     n2 = sqrt(t2);
     u0 = ua0 / n2;
     u1 = ua1 / n2;
     u2_2 = ua2 / n2;
-    g0 = r[point][0] - r[t->roadpoint[road]][0];
-    g2_2 = r[point][2] - r[t->roadpoint[road]][2];
+    g0 = r[t->wheelpoint[i]][0] - r[t->roadpoint[road]][0];
+    g2_2 = r[t->wheelpoint[i]][2] - r[t->roadpoint[road]][2];
     x2 = g0;
     if (t->roadkind[road] == MAGGI_ROAD_FLAT) {
       p_road = p[t->roadadr[road]];
@@ -146,14 +146,14 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
         z2 = sqrt(t6);
         h0_2 = z2 - base;
         h1_2 = 2.0 * f2 * (c2 - f2) / z2;
-        a2 = 3.0 * h0_2 - h1_2;
+        a = 3.0 * h0_2 - h1_2;
         t7 = z2 * z2 * z2;
         t8 = 2.0 * f2 * f2 * radius * radius / t7;
         b2 = 6.0 * h0_2 - 3.0 * h1_2 - t8;
         t9 = 2.0 * f2;
         u2 = (c2 + f2 - y) / t9;
         w2 = 1.0 - u2;
-        b0 = u2 * u2 * u2 * (h0_2 + w2 * (a2 + w2 * b2));
+        b0 = u2 * u2 * u2 * (h0_2 + w2 * (a + w2 * b2));
       } else {
         t10 = radius * radius - y * y;
         z2_3 = sqrt(t10);
@@ -182,7 +182,7 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
         p_roadk51 = p[t->roadadr[road] + k5 + 1];
         p_roadk5 = p[t->roadadr[road] + k5];
         h3_2 = p_roadk51 - p_roadk5;
-        a3 = p_roadk51 - x2;
+        a2 = p_roadk51 - x2;
         c3 = x2 - p_roadk5;
         p4 = p[t->roadadr[road] + t->roadn[road] + k5];
         t13 = (p[t->roadadr[road] + t->roadn[road] + k5 + 1] - p4) / h3_2;
@@ -190,7 +190,7 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
         spline0_roadk50 = spline0[t->roadspline[road] + k5][0];
         e = t13 - h3_2 / 6.0 * (spline0_roadk510 - spline0_roadk50);
         t14 = 6.0 * h3_2;
-        t15 = (spline0_roadk50 * a3 * a3 * a3 + spline0_roadk510 * c3 * c3 * c3) / t14;
+        t15 = (spline0_roadk50 * a2 * a2 * a2 + spline0_roadk510 * c3 * c3 * c3) / t14;
         s20 = t15 + p4 - spline0_roadk50 * h3_2 * h3_2 / 6.0 + e * c3;
       }
       h00 = s20;
@@ -236,16 +236,16 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
         z3 = sqrt(t23);
         h0_3 = z3 - base2;
         h1_3 = 2.0 * f3 * (c4 - f3) / z3;
-        a4 = 3.0 * h0_3 - h1_3;
+        a3 = 3.0 * h0_3 - h1_3;
         t24 = z3 * z3 * z3;
         t25 = 2.0 * f3 * f3 * radius2 * radius2 / t24;
         b4 = 6.0 * h0_3 - 3.0 * h1_3 - t25;
         t26 = 2.0 * f3;
         u3 = (c4 + f3 - y2) / t26;
         w3 = 1.0 - u3;
-        b30 = u3 * u3 * u3 * (h0_3 + w3 * (a4 + w3 * b4));
+        b30 = u3 * u3 * u3 * (h0_3 + w3 * (a3 + w3 * b4));
         t27 = 2.0 * f3;
-        t28 = -way2 * u3 * u3 * (3.0 * (h0_3 + w3 * (a4 + w3 * b4)) - u3 * (a4 + 2.0 * w3 * b4)) /
+        t28 = -way2 * u3 * u3 * (3.0 * (h0_3 + w3 * (a3 + w3 * b4)) - u3 * (a3 + 2.0 * w3 * b4)) /
             t27;
         b31 = t28;
       } else {
@@ -282,7 +282,7 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
         p_roadk81 = p[t->roadadr[road] + k8 + 1];
         p_roadk8 = p[t->roadadr[road] + k8];
         h2_3 = p_roadk81 - p_roadk8;
-        a5 = p_roadk81 - x;
+        a4 = p_roadk81 - x;
         c5 = x - p_roadk8;
         p7 = p[t->roadadr[road] + t->roadn[road] + k8];
         t33 = (p[t->roadadr[road] + t->roadn[road] + k8 + 1] - p7) / h2_3;
@@ -290,10 +290,10 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
         spline0_roadk80 = spline0[t->roadspline[road] + k8][0];
         e2 = t33 - h2_3 / 6.0 * (spline0_roadk810 - spline0_roadk80);
         t34 = 6.0 * h2_3;
-        t35 = (spline0_roadk80 * a5 * a5 * a5 + spline0_roadk810 * c5 * c5 * c5) / t34;
+        t35 = (spline0_roadk80 * a4 * a4 * a4 + spline0_roadk810 * c5 * c5 * c5) / t34;
         s30 = t35 + p7 - spline0_roadk80 * h2_3 * h2_3 / 6.0 + e2 * c5;
         t36 = 2.0 * h2_3;
-        t37 = (spline0_roadk810 * c5 * c5 - spline0_roadk80 * a5 * a5) / t36;
+        t37 = (spline0_roadk810 * c5 * c5 - spline0_roadk80 * a4 * a4) / t36;
         s31 = t37 + e2;
       }
       h10 = s30;
@@ -340,12 +340,13 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
     vr0 = wr1 * arm2 - wr2 * arm1;
     vr1 = wr2 * arm0 - wr0 * arm2;
     vr2 = wr0 * arm1 - wr1 * arm0;
-    v0 = rv[point][0] + vr0;
-    v1 = rv[point][1] + vr1;
-    v2 = rv[point][2] + vr2;
+    v0 = rv[t->wheelpoint[i]][0] + vr0;
+    v1 = rv[t->wheelpoint[i]][1] + vr1;
+    v2 = rv[t->wheelpoint[i]][2] + vr2;
     vx = slip[i][MAGGI_SLIP_VX];
     rhov = (z3_2 * v0 - (v0 * N0 + v1 * N1 + v2 * N2)) / z2_2;
-    omega = (Z[a][3] - Z_i3) * u0 + (Z[a][4] - Z_i4) * u1 + (Z[a][5] - Z_i5) * u2_2;
+    omega = (Z[t->wheelbody[i]][3] - Z_i3) * u0 + (Z[t->wheelbody[i]][4] - Z_i4) * u1 +
+        (Z[t->wheelbody[i]][5] - Z_i5) * u2_2;
     fz = slip[i][MAGGI_SLIP_FZ];
     fz0 = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LFZO] * p[t->tyreadr[t->wheeltyre[i]]];
     if (MAGGI_RE(fz) > 0.0) {
@@ -370,14 +371,14 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
       y3 = 0.5 * (p8 + t43);
     }
     speed = y3;
-    r30 = r[point][0] + arm0;
+    r30 = r[t->wheelpoint[i]][0] + arm0;
     f_i0 = f[i][0];
     f_i1 = f[i][1];
     f_i2 = f[i][2];
     force30 = F[i][0];
-    r31 = r[point][1] + arm1;
+    r31 = r[t->wheelpoint[i]][1] + arm1;
     force31 = F[i][1];
-    r32 = r[point][2] + arm2;
+    r32 = r[t->wheelpoint[i]][2] + arm2;
     force32 = F[i][2];
     f_i3 = f[i][3];
     f_i4 = f[i][4];
@@ -435,14 +436,14 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
     L2b += force32b * f_i1;
     f_i2b = force32b * N2;
     N2b += force32b * f_i2;
-    rb[point][2] += r32b;
+    rb[t->wheelpoint[i]][2] += r32b;
     arm2b = r32b;
     f_i0b += force31b * T1;
     T1b += force31b * f_i0;
     f_i1b += force31b * L1;
     L1b += force31b * f_i1;
     f_i2b += force31b * N1;
-    rb[point][1] += r31b;
+    rb[t->wheelpoint[i]][1] += r31b;
     arm1b = r31b;
     f_i0b += force30b * T0;
     T0b += force30b * f_i0;
@@ -454,19 +455,20 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
     fb[i][1] += f_i1b;
     fb[i][0] += f_i0b;
     /* F: force f_x T + f_y L + f_z N at the contact point, with its moment, as one about P */
-    rb[point][0] += r30b;
+    rb[t->wheelpoint[i]][0] += r30b;
     arm0b = r30b;
     fzb = 0.0;
     if (MAGGI_RE(fz) > 0.0 && MAGGI_RE(z0) < MAGGI_RE(p[t->tyreadr[t->wheeltyre[i]] +
         MAGGI_TYRE_UNLOADED_RADIUS])) {
       if (t->wheelgrip[i]) {
+        side = t->wheelmirror[i] ? -1.0 : 1.0;
         one0 = slip[i][MAGGI_SLIP_KAPPA];
         one1 = side * slip[i][MAGGI_SLIP_TAN_ALPHA];
         one2 = side * slip[i][MAGGI_SLIP_GAMMA];
         one3 = slip[i][MAGGI_SLIP_FZ];
         one4 = slip[i][MAGGI_SLIP_VX];
         kappa = one0;
-        a6 = one1;
+        a5 = one1;
         gamma = one2;
         fz2 = one3;
         fz0_2 = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LFZO] * p[t->tyreadr[t->wheeltyre[i]]];
@@ -514,7 +516,7 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
             + MAGGI_TYRE_LVX] * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUX];
         fz0_3 = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LFZO] * p[t->tyreadr[t->wheeltyre[i]]];
         gy = gamma * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LGAY];
-        ay = a6 + (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHY1] + p[t->tyreadr[t->wheeltyre[i]]
+        ay = a5 + (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHY1] + p[t->tyreadr[t->wheeltyre[i]]
             + MAGGI_TYRE_PHY2] * dfz) * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LHY] +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHY3] * gy;
         muy = (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY1] + p[t->tyreadr[t->wheeltyre[i]] +
@@ -586,7 +588,7 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
         }
         g22 = y10;
         g23 = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RHX1];
-        x7 = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY2] * (a6 - p[t->tyreadr[t->wheeltyre[i]]
+        x7 = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY2] * (a5 - p[t->tyreadr[t->wheeltyre[i]]
             + MAGGI_TYRE_RBY3]);
         t53 = 1.0 + x7 * x7;
         t54 = sqrt(t53);
@@ -604,7 +606,7 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
         g26 = y11;
         g27 = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RHY1] + p[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_RHY2] * dfz;
-        x8 = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY4] * a6;
+        x8 = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY4] * a5;
         t56 = 1.0 + x8 * x8;
         t57 = sqrt(t56);
         t58 = 1.0 / t57;
@@ -619,7 +621,7 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
         t63 = x51 * x50;
         t64 = x53 / t63;
         y12 = t64 * x54;
-        y13 = g20 * (a6 + g23);
+        y13 = g20 * (a5 + g23);
         y14 = g20 * g23;
         t65 = atan(y12);
         t66 = (1.0 - x52) * y12 + x52 * t65;
@@ -663,7 +665,7 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
         ratio2 = x53 * kappa / y43;
         fz0_4 = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LFZO] * p[t->tyreadr[t->wheeltyre[i]]];
         gz = gamma * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LGAZ];
-        at = a6 + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QHZ1] + p[t->tyreadr[t->wheeltyre[i]] +
+        at = a5 + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QHZ1] + p[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_QHZ2] * dfz + (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QHZ3] +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QHZ4] * dfz) * gz;
         t99 = y45 / y43;
@@ -714,7 +716,7 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ9] * dfz) * gz) *
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_UNLOADED_RADIUS] *
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUY];
-        t107 = 1.0 + a6 * a6;
+        t107 = 1.0 + a5 * a5;
         t108 = sqrt(t107);
         ca = 1.0 / t108;
         y20 = bt * ateq;
@@ -868,8 +870,8 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
         tb187 = cab / t108;
         t108b = -(tb187 * ca);
         t107b = t108b * (1.0 / (2.0 * t108));
-        a6b = t107b * a6;
-        a6b += t107b * a6;
+        a5b = t107b * a5;
+        a5b += t107b * a5;
         tb182 = drb * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUY];
         tb183 = tb182 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_UNLOADED_RADIUS];
         fz2b += tb183 * ((p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ6] +
@@ -1036,7 +1038,7 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
         tb159 = t99b / y43;
         y45b = tb159;
         y43b -= tb159 * t99;
-        a6b += atb;
+        a5b += atb;
         pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QHZ1] += atb;
         pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QHZ2] += atb * dfz;
         dfzb += atb * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QHZ2];
@@ -1143,9 +1145,9 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
         y12b += t65b * (1.0 / (1.0 + y12 * y12));
         g20b = y14b * g23;
         g23b = y14b * g20;
-        g20b += y13b * (a6 + g23);
+        g20b += y13b * (a5 + g23);
         tb150 = y13b * g20;
-        a6b += tb150;
+        a5b += tb150;
         g23b += tb150;
         t64b = y12b * x54;
         x54b = y12b * t64;
@@ -1182,8 +1184,8 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
         t56b = t57b * (1.0 / (2.0 * t57));
         x8b = t56b * x8;
         x8b += t56b * x8;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY4] += x8b * a6;
-        a6b += x8b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY4];
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY4] += x8b * a5;
+        a5b += x8b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY4];
         pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RHY1] += g27b;
         pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RHY2] += g27b * dfz;
         dfzb += g27b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RHY2];
@@ -1210,10 +1212,10 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
         t53b = t54b * (1.0 / (2.0 * t54));
         x7b = t53b * x7;
         x7b += t53b * x7;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY2] += x7b * (a6 -
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY2] += x7b * (a5 -
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY3]);
         tb142 = x7b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY2];
-        a6b += tb142;
+        a5b += tb142;
         pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY3] -= tb142;
         pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RHX1] += g23b;
         y10b = g22b;
@@ -1385,7 +1387,7 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
         pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUY] += muyb * ((p[t->tyreadr[t->wheeltyre[i]]
             + MAGGI_TYRE_PDY1] + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY2] * dfz) * (1.0 -
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY3] * gy * gy));
-        a6b += ayb;
+        a5b += ayb;
         tb119 = ayb * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LHY];
         pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHY1] += tb119;
         pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHY2] += tb119 * dfz;
@@ -1514,7 +1516,7 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
             MAGGI_TYRE_LFZO];
         one3b = fz2b;
         one2b = gammab;
-        one1b = a6b;
+        one1b = a5b;
         one0b = kappab;
         slipb[i][MAGGI_SLIP_VX] += one4b;
         slipb[i][MAGGI_SLIP_FZ] += one3b;
@@ -1629,17 +1631,17 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
     pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_VERTICAL_DAMPING] += fzb * rhov;
     rhovb = fzb * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_VERTICAL_DAMPING];
     tb91 = omegab * u0;
-    Zb[a][3] += tb91;
+    Zb[t->wheelbody[i]][3] += tb91;
     Z_i3b = -tb91;
-    u0b = omegab * (Z[a][3] - Z_i3);
+    u0b = omegab * (Z[t->wheelbody[i]][3] - Z_i3);
     tb92 = omegab * u1;
-    Zb[a][4] += tb92;
+    Zb[t->wheelbody[i]][4] += tb92;
     Z_i4b = -tb92;
-    u1b = omegab * (Z[a][4] - Z_i4);
+    u1b = omegab * (Z[t->wheelbody[i]][4] - Z_i4);
     tb93 = omegab * u2_2;
-    Zb[a][5] += tb93;
+    Zb[t->wheelbody[i]][5] += tb93;
     Z_i5b = -tb93;
-    u2_2b = omegab * (Z[a][5] - Z_i5);
+    u2_2b = omegab * (Z[t->wheelbody[i]][5] - Z_i5);
     tb90 = rhovb / z2_2;
     z3_2b = tb90 * v0;
     v0b += tb90 * z3_2;
@@ -1655,11 +1657,11 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
     T1b += vxb * v1;
     v2b += vxb * T2;
     T2b += vxb * v2;
-    rvb[point][2] += v2b;
+    rvb[t->wheelpoint[i]][2] += v2b;
     vr2b = v2b;
-    rvb[point][1] += v1b;
+    rvb[t->wheelpoint[i]][1] += v1b;
     vr1b = v1b;
-    rvb[point][0] += v0b;
+    rvb[t->wheelpoint[i]][0] += v0b;
     vr0b = v0b;
     wr0b = vr2b * arm1;
     arm1b += vr2b * wr0;
@@ -1840,7 +1842,7 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
         z3 = sqrt(t23);
         h0_3 = z3 - base2;
         h1_3 = 2.0 * f3 * (c4 - f3) / z3;
-        a4 = 3.0 * h0_3 - h1_3;
+        a3 = 3.0 * h0_3 - h1_3;
         t24 = z3 * z3 * z3;
         t25 = 2.0 * f3 * f3 * radius2 * radius2 / t24;
         b4 = 6.0 * h0_3 - 3.0 * h1_3 - t25;
@@ -1848,39 +1850,39 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
         u3 = (c4 + f3 - y2) / t26;
         w3 = 1.0 - u3;
         t27 = 2.0 * f3;
-        t28 = -way2 * u3 * u3 * (3.0 * (h0_3 + w3 * (a4 + w3 * b4)) - u3 * (a4 + 2.0 * w3 * b4)) /
+        t28 = -way2 * u3 * u3 * (3.0 * (h0_3 + w3 * (a3 + w3 * b4)) - u3 * (a3 + 2.0 * w3 * b4)) /
             t27;
         t28b = b31b;
         b31b = 0.0;
         tb51 = t28b / t27;
-        tb52 = tb51 * (3.0 * (h0_3 + w3 * (a4 + w3 * b4)) - u3 * (a4 + 2.0 * w3 * b4));
+        tb52 = tb51 * (3.0 * (h0_3 + w3 * (a3 + w3 * b4)) - u3 * (a3 + 2.0 * w3 * b4));
         u3b = -(tb52 * u3 * way2);
         u3b += tb52 * (-way2 * u3);
         tb53 = tb51 * (-way2 * u3 * u3);
         tb54 = tb53 * 3.0;
         h0_3b = tb54;
-        w3b = tb54 * (a4 + w3 * b4);
+        w3b = tb54 * (a3 + w3 * b4);
         tb55 = tb54 * w3;
-        a4b = tb55;
+        a3b = tb55;
         w3b += tb55 * b4;
         b4b = tb55 * w3;
-        u3b -= tb53 * (a4 + 2.0 * w3 * b4);
+        u3b -= tb53 * (a3 + 2.0 * w3 * b4);
         tb56 = tb53 * u3;
-        a4b -= tb56;
+        a3b -= tb56;
         w3b -= tb56 * b4 * 2.0;
         b4b -= tb56 * (2.0 * w3);
         t27b = -(tb51 * t28);
         f3b += t27b * 2.0;
-        tb47 = b30b * (h0_3 + w3 * (a4 + w3 * b4));
+        tb47 = b30b * (h0_3 + w3 * (a3 + w3 * b4));
         tb48 = tb47 * u3;
         u3b += tb48 * u3;
         u3b += tb48 * u3;
         u3b += tb47 * (u3 * u3);
         tb49 = b30b * (u3 * u3 * u3);
         h0_3b += tb49;
-        w3b += tb49 * (a4 + w3 * b4);
+        w3b += tb49 * (a3 + w3 * b4);
         tb50 = tb49 * w3;
-        a4b += tb50;
+        a3b += tb50;
         w3b += tb50 * b4;
         b4b += tb50 * w3;
         b30b = 0.0;
@@ -1906,8 +1908,8 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
         z3b = tb42 * z3;
         z3b += tb42 * z3;
         z3b += t24b * (z3 * z3);
-        h0_3b += a4b * 3.0;
-        h1_3b -= a4b;
+        h0_3b += a3b * 3.0;
+        h1_3b -= a3b;
         tb40 = h1_3b / z3;
         f3b += tb40 * (c4 - f3) * 2.0;
         tb41 = tb40 * (2.0 * f3);
@@ -2028,7 +2030,7 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
         p_roadk81 = p[t->roadadr[road] + k8 + 1];
         p_roadk8 = p[t->roadadr[road] + k8];
         h2_3 = p_roadk81 - p_roadk8;
-        a5 = p_roadk81 - x;
+        a4 = p_roadk81 - x;
         c5 = x - p_roadk8;
         p7 = p[t->roadadr[road] + t->roadn[road] + k8];
         t33 = (p[t->roadadr[road] + t->roadn[road] + k8 + 1] - p7) / h2_3;
@@ -2036,9 +2038,9 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
         spline0_roadk80 = spline0[t->roadspline[road] + k8][0];
         e2 = t33 - h2_3 / 6.0 * (spline0_roadk810 - spline0_roadk80);
         t34 = 6.0 * h2_3;
-        t35 = (spline0_roadk80 * a5 * a5 * a5 + spline0_roadk810 * c5 * c5 * c5) / t34;
+        t35 = (spline0_roadk80 * a4 * a4 * a4 + spline0_roadk810 * c5 * c5 * c5) / t34;
         t36 = 2.0 * h2_3;
-        t37 = (spline0_roadk810 * c5 * c5 - spline0_roadk80 * a5 * a5) / t36;
+        t37 = (spline0_roadk810 * c5 * c5 - spline0_roadk80 * a4 * a4) / t36;
         t37b = s31b;
         e2b = s31b;
         s31b = 0.0;
@@ -2047,10 +2049,10 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
         spline0_roadk810b = tb74 * c5;
         c5b = tb74 * spline0_roadk810;
         c5b += tb73 * (spline0_roadk810 * c5);
-        tb75 = tb73 * a5;
-        spline0_roadk80b = -(tb75 * a5);
-        a5b = -(tb75 * spline0_roadk80);
-        a5b -= tb73 * (spline0_roadk80 * a5);
+        tb75 = tb73 * a4;
+        spline0_roadk80b = -(tb75 * a4);
+        a4b = -(tb75 * spline0_roadk80);
+        a4b -= tb73 * (spline0_roadk80 * a4);
         t36b = -(tb73 * t37);
         h2_3b = t36b * 2.0;
         t35b = s30b;
@@ -2064,12 +2066,12 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
         c5b += s30b * e2;
         s30b = 0.0;
         tb66 = t35b / t34;
-        tb67 = tb66 * a5;
-        tb68 = tb67 * a5;
-        spline0_roadk80b += tb68 * a5;
-        a5b += tb68 * spline0_roadk80;
-        a5b += tb67 * (spline0_roadk80 * a5);
-        a5b += tb66 * (spline0_roadk80 * a5 * a5);
+        tb67 = tb66 * a4;
+        tb68 = tb67 * a4;
+        spline0_roadk80b += tb68 * a4;
+        a4b += tb68 * spline0_roadk80;
+        a4b += tb67 * (spline0_roadk80 * a4);
+        a4b += tb66 * (spline0_roadk80 * a4 * a4);
         tb69 = tb66 * c5;
         tb70 = tb69 * c5;
         spline0_roadk810b += tb70 * c5;
@@ -2092,8 +2094,8 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
         pb[t->roadadr[road] + t->roadn[road] + k8] += p7b;
         xb += c5b;
         p_roadk8b = -c5b;
-        p_roadk81b = a5b;
-        xb -= a5b;
+        p_roadk81b = a4b;
+        xb -= a4b;
         p_roadk81b += h2_3b;
         p_roadk8b -= h2_3b;
         pb[t->roadadr[road] + k8] += p_roadk8b;
@@ -2163,23 +2165,23 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
         z2 = sqrt(t6);
         h0_2 = z2 - base;
         h1_2 = 2.0 * f2 * (c2 - f2) / z2;
-        a2 = 3.0 * h0_2 - h1_2;
+        a = 3.0 * h0_2 - h1_2;
         t7 = z2 * z2 * z2;
         t8 = 2.0 * f2 * f2 * radius * radius / t7;
         b2 = 6.0 * h0_2 - 3.0 * h1_2 - t8;
         t9 = 2.0 * f2;
         u2 = (c2 + f2 - y) / t9;
         w2 = 1.0 - u2;
-        tb15 = b0b * (h0_2 + w2 * (a2 + w2 * b2));
+        tb15 = b0b * (h0_2 + w2 * (a + w2 * b2));
         tb16 = tb15 * u2;
         u2b = tb16 * u2;
         u2b += tb16 * u2;
         u2b += tb15 * (u2 * u2);
         tb17 = b0b * (u2 * u2 * u2);
         h0_2b = tb17;
-        w2b = tb17 * (a2 + w2 * b2);
+        w2b = tb17 * (a + w2 * b2);
         tb18 = tb17 * w2;
-        a2b = tb18;
+        ab = tb18;
         w2b += tb18 * b2;
         b2b = tb18 * w2;
         b0b = 0.0;
@@ -2205,8 +2207,8 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
         z2b = tb10 * z2;
         z2b += tb10 * z2;
         z2b += t7b * (z2 * z2);
-        h0_2b += a2b * 3.0;
-        h1_2b -= a2b;
+        h0_2b += ab * 3.0;
+        h1_2b -= ab;
         tb8 = h1_2b / z2;
         f2b += tb8 * (c2 - f2) * 2.0;
         tb9 = tb8 * (2.0 * f2);
@@ -2314,7 +2316,7 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
         p_roadk51 = p[t->roadadr[road] + k5 + 1];
         p_roadk5 = p[t->roadadr[road] + k5];
         h3_2 = p_roadk51 - p_roadk5;
-        a3 = p_roadk51 - x2;
+        a2 = p_roadk51 - x2;
         c3 = x2 - p_roadk5;
         p4 = p[t->roadadr[road] + t->roadn[road] + k5];
         t13 = (p[t->roadadr[road] + t->roadn[road] + k5 + 1] - p4) / h3_2;
@@ -2322,7 +2324,7 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
         spline0_roadk50 = spline0[t->roadspline[road] + k5][0];
         e = t13 - h3_2 / 6.0 * (spline0_roadk510 - spline0_roadk50);
         t14 = 6.0 * h3_2;
-        t15 = (spline0_roadk50 * a3 * a3 * a3 + spline0_roadk510 * c3 * c3 * c3) / t14;
+        t15 = (spline0_roadk50 * a2 * a2 * a2 + spline0_roadk510 * c3 * c3 * c3) / t14;
         t15b = s20b;
         p4b = s20b;
         tb32 = s20b / 6.0;
@@ -2334,12 +2336,12 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
         c3b = s20b * e;
         s20b = 0.0;
         tb27 = t15b / t14;
-        tb28 = tb27 * a3;
-        tb29 = tb28 * a3;
-        spline0_roadk50b += tb29 * a3;
-        a3b = tb29 * spline0_roadk50;
-        a3b += tb28 * (spline0_roadk50 * a3);
-        a3b += tb27 * (spline0_roadk50 * a3 * a3);
+        tb28 = tb27 * a2;
+        tb29 = tb28 * a2;
+        spline0_roadk50b += tb29 * a2;
+        a2b = tb29 * spline0_roadk50;
+        a2b += tb28 * (spline0_roadk50 * a2);
+        a2b += tb27 * (spline0_roadk50 * a2 * a2);
         tb30 = tb27 * c3;
         tb31 = tb30 * c3;
         spline0_roadk510b = tb31 * c3;
@@ -2362,8 +2364,8 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
         pb[t->roadadr[road] + t->roadn[road] + k5] += p4b;
         x2b += c3b;
         p_roadk5b = -c3b;
-        p_roadk51b = a3b;
-        x2b -= a3b;
+        p_roadk51b = a2b;
+        x2b -= a2b;
         p_roadk51b += h3_2b;
         p_roadk5b -= h3_2b;
         pb[t->roadadr[road] + k5] += p_roadk5b;
@@ -2375,9 +2377,9 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
      *   e = (u.n u - n) / |u × n|,  r = (c - q).n / |u × n|,  T = u × n / |u × n|,  L = n × T
      * g: centre c from the point of the road.  arm: r e; z: r, u.n, |u × n|, slope that the plane lacks */
     g0b += x2b;
-    rb[point][2] += g2_2b;
+    rb[t->wheelpoint[i]][2] += g2_2b;
     rb[t->roadpoint[road]][2] -= g2_2b;
-    rb[point][0] += g0b;
+    rb[t->wheelpoint[i]][0] += g0b;
     rb[t->roadpoint[road]][0] -= g0b;
     tb4 = u2_2b / n2;
     ua2b = tb4;
@@ -2395,24 +2397,1144 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
     ua1b += t2b * ua1;
     ua2b += t2b * ua2;
     ua2b += t2b * ua2;
-    Ab[a][6] += ua2b * axis0;
-    axis0b = ua2b * A[a][6];
-    Ab[a][7] += ua2b * axis1;
-    axis1b = ua2b * A[a][7];
-    Ab[a][8] += ua2b * axis2;
-    axis2b = ua2b * A[a][8];
-    Ab[a][3] += ua1b * axis0;
-    axis0b += ua1b * A[a][3];
-    Ab[a][4] += ua1b * axis1;
-    axis1b += ua1b * A[a][4];
-    Ab[a][5] += ua1b * axis2;
-    axis2b += ua1b * A[a][5];
-    Ab[a][0] += ua0b * axis0;
-    axis0b += ua0b * A[a][0];
-    Ab[a][1] += ua0b * axis1;
-    axis1b += ua0b * A[a][1];
-    Ab[a][2] += ua0b * axis2;
-    axis2b += ua0b * A[a][2];
+    Ab[t->wheelbody[i]][6] += ua2b * axis0;
+    axis0b = ua2b * A[t->wheelbody[i]][6];
+    Ab[t->wheelbody[i]][7] += ua2b * axis1;
+    axis1b = ua2b * A[t->wheelbody[i]][7];
+    Ab[t->wheelbody[i]][8] += ua2b * axis2;
+    axis2b = ua2b * A[t->wheelbody[i]][8];
+    Ab[t->wheelbody[i]][3] += ua1b * axis0;
+    axis0b += ua1b * A[t->wheelbody[i]][3];
+    Ab[t->wheelbody[i]][4] += ua1b * axis1;
+    axis1b += ua1b * A[t->wheelbody[i]][4];
+    Ab[t->wheelbody[i]][5] += ua1b * axis2;
+    axis2b += ua1b * A[t->wheelbody[i]][5];
+    Ab[t->wheelbody[i]][0] += ua0b * axis0;
+    axis0b += ua0b * A[t->wheelbody[i]][0];
+    Ab[t->wheelbody[i]][1] += ua0b * axis1;
+    axis1b += ua0b * A[t->wheelbody[i]][1];
+    Ab[t->wheelbody[i]][2] += ua0b * axis2;
+    axis2b += ua0b * A[t->wheelbody[i]][2];
+    pb[t->wheelaxis[i] + 2] += axis2b;
+    pb[t->wheelaxis[i] + 1] += axis1b;
+    pb[t->wheelaxis[i]] += axis0b;
+  }
+}
+
+/* Rates of the coordinates on which wheels turn at which they roll freely, kappa = 0: with V the velocity of
+ * the contact point on the carrier and w the velocity of the wheel by its coordinate
+ *   v = V.t / (Re w.u) */
+void maggi_rolling_b(const maggi_topo *t, const double p[restrict t->np], double pb[restrict t->np],
+                     const double spline0[restrict t->nspline][3],
+                     double spline0b[restrict t->nspline][3],
+                     const double A[restrict t->nbody + 1][9], double Ab[restrict t->nbody + 1][9],
+                     const double b[restrict t->nbody][6], double bb[restrict t->nbody][6],
+                     const double r[restrict t->npoint][3], double rb[restrict t->npoint][3],
+                     const double Z[restrict t->nbody + 1][6], double Zb[restrict t->nbody + 1][6],
+                     double spin[restrict t->nwheel], double spinb[restrict t->nwheel])
+{
+  int adr, body, carrier, i, k4, k6, k7, k9, road;
+  double N0, N0b, N1, N2, N2b, T0, T0b, T1, T1b, T2, T2b, a, a2, a2b, a3, a3b, a4, a4b, ab, along0,
+      along0b, along1, along1b, along2, along2b, arm0, arm0b, arm1, arm1b, arm2, arm2b, axis0,
+      axis0b, axis1, axis1b, axis2, axis2b, b20, b20b, b3, b3b, b40, b40b, b41, b41b, b5, b5b, base,
+      base2, base2b, baseb, c0, c0b, c1, c1b, c2, c2_2, c2_2b, c2b, c3, c3b, c4, c4b, c5, c5b, c6,
+      c6b, e, e2, e2b, eb, f, f2, f2b, fb, fz, fz0, fz0b, fzb, g0, g0b, g2, g2b, h, h00, h00b, h0_2,
+      h0_2b, h0_3, h0_3b, h10, h10b, h11, h11b, h12, h12b, h1_2, h1_2b, h1_3, h1_3b, h2, h2_2,
+      h2_2b, h2_3, h2_3b, h2b, h3, h3_2, h3_2b, h3b, hb, k5, k5b, k8, k8b, n2, n2b, normal0,
+      normal0b, normal1, normal2, normal2b, p2, p2b, p3, p3b, p4, p4b, p5, p5b, p6, p6b, p7, p7b,
+      p_road, p_road2, p_road2b, p_road3, p_road3b, p_road4, p_road4b, p_road5, p_road5b, p_road6,
+      p_road6b, p_roadb, p_roadk6, p_roadk61, p_roadk61b, p_roadk6b, p_roadk9, p_roadk91,
+      p_roadk91b, p_roadk9b, p_roadroad, p_roadroad2, p_roadroad2b, p_roadroadb, r2, r2b, radius,
+      radius2, radius2b, radiusb, ratio, ratiob, re, reb, rhov, rhovb, s, s20, s20b, s30, s30b, s31,
+      s31b, sb, slope, slope2, slope2_2, slope2_2b, slope2b, slope3, slope3b, slopeb,
+      spline0_roadk60, spline0_roadk60b, spline0_roadk610, spline0_roadk610b, spline0_roadk90,
+      spline0_roadk90b, spline0_roadk910, spline0_roadk910b, t10, t10b, t11, t11b, t12, t12b, t13,
+      t13b, t14, t14b, t15, t15b, t16, t16b, t17, t17b, t18, t18b, t19, t19b, t2, t20, t20b, t21,
+      t21b, t22, t22b, t23, t23b, t24, t24b, t25, t25b, t26, t26b, t27, t27b, t28, t28b, t29, t29b,
+      t2b, t3, t30, t30b, t31, t31b, t32, t32b, t33, t33b, t34, t34b, t35, t35b, t36, t36b, t37,
+      t37b, t38, t38b, t39, t39b, t3b, t4, t40, t40b, t41, t41b, t42, t42b, t43, t43b, t4b, t5, t5b,
+      t6, t6b, t7, t7b, t8, t8b, t9, t9b, tb10, tb11, tb12, tb13, tb14, tb15, tb16, tb17, tb18,
+      tb19, tb2, tb20, tb21, tb22, tb23, tb24, tb25, tb26, tb27, tb28, tb29, tb3, tb30, tb31, tb32,
+      tb33, tb34, tb35, tb36, tb37, tb38, tb39, tb4, tb40, tb41, tb42, tb43, tb44, tb45, tb46, tb47,
+      tb48, tb49, tb5, tb50, tb51, tb52, tb53, tb54, tb55, tb56, tb57, tb58, tb59, tb6, tb60, tb61,
+      tb62, tb63, tb64, tb65, tb66, tb67, tb68, tb69, tb7, tb70, tb71, tb72, tb73, tb74, tb75, tb76,
+      tb77, tb78, tb79, tb8, tb80, tb81, tb82, tb83, tb84, tb85, tb86, tb87, tb88, tb89, tb9, tb90,
+      tb91, tb92, tb93, tb94, tb95, tb96, tb97, u0, u0b, u1, u1b, u2, u2_2, u2_2b, u2b, u3, u3b,
+      ua0, ua0b, ua1, ua1b, ua2, ua2b, un0, un0b, un1, un1b, un2, un2b, v0, v0b, v1, v1b, v2, v2b,
+      w0, w0b, w1, w1b, w2, w2_2, w2_2b, w2b, w3, w3b, w4, w4b, way, way2, wr0, wr0b, wr1, wr1b,
+      wr2, wr2b, x, x2, x2b, x3, x3b, x4, x4b, xb, y, y2, y2b, yb, z0, z0b, z2, z2_2, z2_2b, z2_3,
+      z2_3b, z2b, z3, z3_2, z3_2b, z3_3, z3_3b, z3b;
+
+  for (i = t->nwheel - 1; i >= 0; --i) {
+    adr = t->tyreadr[t->wheeltyre[i]];
+    body = t->wheelbody[i];
+    carrier = t->wheelcarrier[i];
+    road = t->wheelroad[i];
+    axis0 = p[t->wheelaxis[i]];
+    axis1 = p[t->wheelaxis[i] + 1];
+    axis2 = p[t->wheelaxis[i] + 2];
+    ua0 = A[t->wheelbody[i]][0] * axis0 + A[t->wheelbody[i]][1] * axis1 + A[t->wheelbody[i]][2] *
+        axis2;
+    ua1 = A[t->wheelbody[i]][3] * axis0 + A[t->wheelbody[i]][4] * axis1 + A[t->wheelbody[i]][5] *
+        axis2;
+    ua2 = A[t->wheelbody[i]][6] * axis0 + A[t->wheelbody[i]][7] * axis1 + A[t->wheelbody[i]][8] *
+        axis2;
+    t2 = ua0 * ua0 + ua1 * ua1 + ua2 * ua2;
+    n2 = sqrt(t2);
+    u0 = ua0 / n2;
+    u1 = ua1 / n2;
+    u2_2 = ua2 / n2;
+    g0 = r[t->wheelpoint[i]][0] - r[t->roadpoint[road]][0];
+    g2 = r[t->wheelpoint[i]][2] - r[t->roadpoint[road]][2];
+    x2 = g0;
+    if (t->roadkind[road] == MAGGI_ROAD_FLAT) {
+      p_road = p[t->roadadr[road]];
+      h00 = p_road * x2;
+    } else if (t->roadkind[road] == MAGGI_ROAD_SINE) {
+      k5 = 6.28318530717958647693 / p[t->roadadr[road] + 1];
+      t3 = k5 * x2;
+      t4 = sin(t3);
+      p_road2 = p[t->roadadr[road]];
+      h00 = p_road2 * t4;
+    } else if (t->roadkind[road] == MAGGI_ROAD_BUMPS) {
+      k4 = nearest_nodiff(t->np, p, t->roadadr[road], t->roadn[road], x2);
+      x3 = x2 - p[t->roadadr[road] + MAGGI_BUMPS_FIRST] - k4 * p[t->roadadr[road] +
+          MAGGI_BUMPS_SPACING];
+      radius = p[t->roadadr[road]];
+      base = radius - p[t->roadadr[road] + MAGGI_BUMPS_HEIGHT];
+      t5 = radius * radius - base * base;
+      c3 = sqrt(t5);
+      f = 0.5 * p[t->roadadr[road] + MAGGI_BUMPS_FILLET];
+      if (MAGGI_RE(x3) > 0.0) {
+        way = 1.0;
+      } else {
+        way = -1.0;
+      }
+      y = way * x3;
+      if (MAGGI_RE(y) >= MAGGI_RE(c3 + f)) {
+        b20 = 0.0;
+      } else if (MAGGI_RE(y) > MAGGI_RE(c3 - f)) {
+        t6 = radius * radius - (c3 - f) * (c3 - f);
+        z2 = sqrt(t6);
+        h0_2 = z2 - base;
+        h1_2 = 2.0 * f * (c3 - f) / z2;
+        a = 3.0 * h0_2 - h1_2;
+        t7 = z2 * z2 * z2;
+        t8 = 2.0 * f * f * radius * radius / t7;
+        b3 = 6.0 * h0_2 - 3.0 * h1_2 - t8;
+        t9 = 2.0 * f;
+        u2 = (c3 + f - y) / t9;
+        w3 = 1.0 - u2;
+        b20 = u2 * u2 * u2 * (h0_2 + w3 * (a + w3 * b3));
+      } else {
+        t10 = radius * radius - y * y;
+        z2_3 = sqrt(t10);
+        b20 = z2_3 - base;
+      }
+      h00 = b20;
+    } else {
+      k6 = maggi_piece(t->np, p, t->roadadr[road], t->roadn[road], x2);
+      if (k6 < 0) {
+        p_road3 = p[t->roadadr[road]];
+        h = p[t->roadadr[road] + 1] - p_road3;
+        p_roadroad = p[t->roadadr[road] + t->roadn[road]];
+        t11 = (p[t->roadadr[road] + t->roadn[road] + 1] - p_roadroad) / h;
+        slope = t11 - h / 6.0 * (2.0 * spline0[t->roadspline[road]][0] + spline0[t->roadspline[road]
+            + 1][0]);
+        s20 = p_roadroad + slope * (x2 - p_road3);
+      } else if (k6 > t->roadn[road] - 2) {
+        p2 = p[t->roadadr[road] + t->roadn[road] - 1];
+        h3 = p2 - p[t->roadadr[road] + t->roadn[road] - 2];
+        p3 = p[t->roadadr[road] + t->roadn[road] + t->roadn[road] - 1];
+        t12 = (p3 - p[t->roadadr[road] + t->roadn[road] + t->roadn[road] - 2]) / h3;
+        slope3 = t12 + h3 / 6.0 * (spline0[t->roadspline[road] + t->roadn[road] - 2][0] + 2.0 *
+            spline0[t->roadspline[road] + t->roadn[road] - 1][0]);
+        s20 = p3 + slope3 * (x2 - p2);
+      } else {
+        p_roadk61 = p[t->roadadr[road] + k6 + 1];
+        p_roadk6 = p[t->roadadr[road] + k6];
+        h3_2 = p_roadk61 - p_roadk6;
+        a2 = p_roadk61 - x2;
+        c4 = x2 - p_roadk6;
+        p4 = p[t->roadadr[road] + t->roadn[road] + k6];
+        t13 = (p[t->roadadr[road] + t->roadn[road] + k6 + 1] - p4) / h3_2;
+        spline0_roadk610 = spline0[t->roadspline[road] + k6 + 1][0];
+        spline0_roadk60 = spline0[t->roadspline[road] + k6][0];
+        e = t13 - h3_2 / 6.0 * (spline0_roadk610 - spline0_roadk60);
+        t14 = 6.0 * h3_2;
+        t15 = (spline0_roadk60 * a2 * a2 * a2 + spline0_roadk610 * c4 * c4 * c4) / t14;
+        s20 = t15 + p4 - spline0_roadk60 * h3_2 * h3_2 / 6.0 + e * c4;
+      }
+      h00 = s20;
+    }
+    t16 = u0 * u0 + u1 * u1;
+    t17 = u2_2 * u0 / t16;
+    x = g0 + t17 * (g2 - h00);
+    if (t->roadkind[road] == MAGGI_ROAD_FLAT) {
+      p_road4 = p[t->roadadr[road]];
+      h10 = p_road4 * x;
+      h11 = p_road4;
+      h12 = 0.0;
+    } else if (t->roadkind[road] == MAGGI_ROAD_SINE) {
+      k8 = 6.28318530717958647693 / p[t->roadadr[road] + 1];
+      t18 = k8 * x;
+      t19 = sin(t18);
+      p_road5 = p[t->roadadr[road]];
+      h10 = p_road5 * t19;
+      t20 = k8 * x;
+      t21 = cos(t20);
+      h11 = k8 * p_road5 * t21;
+      h12 = 0.0;
+    } else if (t->roadkind[road] == MAGGI_ROAD_BUMPS) {
+      k7 = nearest_nodiff(t->np, p, t->roadadr[road], t->roadn[road], x);
+      x4 = x - p[t->roadadr[road] + MAGGI_BUMPS_FIRST] - k7 * p[t->roadadr[road] +
+          MAGGI_BUMPS_SPACING];
+      radius2 = p[t->roadadr[road]];
+      base2 = radius2 - p[t->roadadr[road] + MAGGI_BUMPS_HEIGHT];
+      t22 = radius2 * radius2 - base2 * base2;
+      c5 = sqrt(t22);
+      f2 = 0.5 * p[t->roadadr[road] + MAGGI_BUMPS_FILLET];
+      if (MAGGI_RE(x4) > 0.0) {
+        way2 = 1.0;
+      } else {
+        way2 = -1.0;
+      }
+      y2 = way2 * x4;
+      if (MAGGI_RE(y2) >= MAGGI_RE(c5 + f2)) {
+        b40 = 0.0;
+        b41 = 0.0;
+      } else if (MAGGI_RE(y2) > MAGGI_RE(c5 - f2)) {
+        t23 = radius2 * radius2 - (c5 - f2) * (c5 - f2);
+        z3 = sqrt(t23);
+        h0_3 = z3 - base2;
+        h1_3 = 2.0 * f2 * (c5 - f2) / z3;
+        a3 = 3.0 * h0_3 - h1_3;
+        t24 = z3 * z3 * z3;
+        t25 = 2.0 * f2 * f2 * radius2 * radius2 / t24;
+        b5 = 6.0 * h0_3 - 3.0 * h1_3 - t25;
+        t26 = 2.0 * f2;
+        u3 = (c5 + f2 - y2) / t26;
+        w4 = 1.0 - u3;
+        b40 = u3 * u3 * u3 * (h0_3 + w4 * (a3 + w4 * b5));
+        t27 = 2.0 * f2;
+        t28 = -way2 * u3 * u3 * (3.0 * (h0_3 + w4 * (a3 + w4 * b5)) - u3 * (a3 + 2.0 * w4 * b5)) /
+            t27;
+        b41 = t28;
+      } else {
+        t29 = radius2 * radius2 - y2 * y2;
+        z3_3 = sqrt(t29);
+        b40 = z3_3 - base2;
+        t30 = -x4 / z3_3;
+        b41 = t30;
+      }
+      h10 = b40;
+      h11 = 0.0;
+      h12 = b41;
+    } else {
+      k9 = maggi_piece(t->np, p, t->roadadr[road], t->roadn[road], x);
+      if (k9 < 0) {
+        p_road6 = p[t->roadadr[road]];
+        h2 = p[t->roadadr[road] + 1] - p_road6;
+        p_roadroad2 = p[t->roadadr[road] + t->roadn[road]];
+        t31 = (p[t->roadadr[road] + t->roadn[road] + 1] - p_roadroad2) / h2;
+        slope2 = t31 - h2 / 6.0 * (2.0 * spline0[t->roadspline[road]][0] +
+            spline0[t->roadspline[road] + 1][0]);
+        s30 = p_roadroad2 + slope2 * (x - p_road6);
+        s31 = slope2;
+      } else if (k9 > t->roadn[road] - 2) {
+        p5 = p[t->roadadr[road] + t->roadn[road] - 1];
+        h2_2 = p5 - p[t->roadadr[road] + t->roadn[road] - 2];
+        p6 = p[t->roadadr[road] + t->roadn[road] + t->roadn[road] - 1];
+        t32 = (p6 - p[t->roadadr[road] + t->roadn[road] + t->roadn[road] - 2]) / h2_2;
+        slope2_2 = t32 + h2_2 / 6.0 * (spline0[t->roadspline[road] + t->roadn[road] - 2][0] + 2.0 *
+            spline0[t->roadspline[road] + t->roadn[road] - 1][0]);
+        s30 = p6 + slope2_2 * (x - p5);
+        s31 = slope2_2;
+      } else {
+        p_roadk91 = p[t->roadadr[road] + k9 + 1];
+        p_roadk9 = p[t->roadadr[road] + k9];
+        h2_3 = p_roadk91 - p_roadk9;
+        a4 = p_roadk91 - x;
+        c6 = x - p_roadk9;
+        p7 = p[t->roadadr[road] + t->roadn[road] + k9];
+        t33 = (p[t->roadadr[road] + t->roadn[road] + k9 + 1] - p7) / h2_3;
+        spline0_roadk910 = spline0[t->roadspline[road] + k9 + 1][0];
+        spline0_roadk90 = spline0[t->roadspline[road] + k9][0];
+        e2 = t33 - h2_3 / 6.0 * (spline0_roadk910 - spline0_roadk90);
+        t34 = 6.0 * h2_3;
+        t35 = (spline0_roadk90 * a4 * a4 * a4 + spline0_roadk910 * c6 * c6 * c6) / t34;
+        s30 = t35 + p7 - spline0_roadk90 * h2_3 * h2_3 / 6.0 + e2 * c6;
+        t36 = 2.0 * h2_3;
+        t37 = (spline0_roadk910 * c6 * c6 - spline0_roadk90 * a4 * a4) / t36;
+        s31 = t37 + e2;
+      }
+      h10 = s30;
+      h11 = s31;
+      h12 = 0.0;
+    }
+    t38 = 1.0 + h11 * h11;
+    s = sqrt(t38);
+    normal0 = -h11 / s;
+    normal1 = 0.0;
+    normal2 = 1.0 / s;
+    c2 = u0 * normal0 + u1 * normal1 + u2_2 * normal2;
+    un0 = u1 * normal2 - u2_2 * normal1;
+    un1 = u2_2 * normal0 - u0 * normal2;
+    un2 = u0 * normal1 - u1 * normal0;
+    t39 = un0 * un0 + un1 * un1 + un2 * un2;
+    w2 = sqrt(t39);
+    r2 = ((g0 - x) * normal0 + (g2 - h10) * normal2) / w2;
+    along0 = un0 / w2;
+    along1 = un1 / w2;
+    along2 = un2 / w2;
+    arm0 = r2 * (c2 * u0 - normal0) / w2;
+    T0 = along0;
+    N0 = normal0;
+    arm1 = r2 * (c2 * u1 - normal1) / w2;
+    T1 = along1;
+    N1 = normal1;
+    arm2 = r2 * (c2 * u2_2 - normal2) / w2;
+    T2 = along2;
+    N2 = normal2;
+    z0 = r2;
+    z2_2 = w2;
+    z3_2 = h12;
+    c0 = r[t->wheelpoint[i]][0] + arm0;
+    c1 = r[t->wheelpoint[i]][1] + arm1;
+    c2_2 = r[t->wheelpoint[i]][2] + arm2;
+    wr0 = Z[carrier][3];
+    wr1 = Z[carrier][4];
+    wr2 = Z[carrier][5];
+    w0 = wr1 * c2_2 - wr2 * c1;
+    w1 = wr2 * c0 - wr0 * c2_2;
+    w2_2 = wr0 * c1 - wr1 * c0;
+    v0 = Z[carrier][0] + w0;
+    v1 = Z[carrier][1] + w1;
+    v2 = Z[carrier][2] + w2_2;
+    rhov = (z3_2 * v0 - (v0 * N0 + v1 * N1 + v2 * N2)) / z2_2;
+    fz = p[adr + MAGGI_TYRE_VERTICAL_STIFFNESS] * (p[adr + MAGGI_TYRE_UNLOADED_RADIUS] - z0) + p[adr
+        + MAGGI_TYRE_VERTICAL_DAMPING] * rhov;
+    fz0 = p[adr + MAGGI_TYRE_LFZO] * p[adr];
+    if (MAGGI_RE(fz) > 0.0) {
+      ratio = fz / fz0;
+      t40 = fz0 / p[adr + MAGGI_TYRE_VERTICAL_STIFFNESS];
+      t41 = p[adr + MAGGI_TYRE_BREFF] * ratio;
+      t42 = atan(t41);
+      re = p[adr + MAGGI_TYRE_UNLOADED_RADIUS] - t40 * (p[adr + MAGGI_TYRE_DREFF] * t42 + p[adr +
+          MAGGI_TYRE_FREFF] * ratio);
+    } else {
+      re = p[adr + MAGGI_TYRE_UNLOADED_RADIUS];
+    }
+    t43 = re * (b[body][3] * u0 + b[body][4] * u1 + b[body][5] * u2_2);
+    tb96 = spinb[i];
+    spinb[i] = 0.0;
+    tb97 = tb96 / t43;
+    v0b = tb97 * T0;
+    T0b = tb97 * v0;
+    v1b = tb97 * T1;
+    T1b = tb97 * v1;
+    v2b = tb97 * T2;
+    T2b = tb97 * v2;
+    t43b = -(tb97 * spin[i]);
+    reb = t43b * (b[body][3] * u0 + b[body][4] * u1 + b[body][5] * u2_2);
+    tb95 = t43b * re;
+    bb[body][3] += tb95 * u0;
+    u0b = tb95 * b[body][3];
+    bb[body][4] += tb95 * u1;
+    u1b = tb95 * b[body][4];
+    bb[body][5] += tb95 * u2_2;
+    u2_2b = tb95 * b[body][5];
+    fz0b = 0.0;
+    fzb = 0.0;
+    if (MAGGI_RE(fz) > 0.0) {
+      ratio = fz / fz0;
+      t40 = fz0 / p[adr + MAGGI_TYRE_VERTICAL_STIFFNESS];
+      t41 = p[adr + MAGGI_TYRE_BREFF] * ratio;
+      t42 = atan(t41);
+      pb[adr + MAGGI_TYRE_UNLOADED_RADIUS] += reb;
+      t40b = -(reb * (p[adr + MAGGI_TYRE_DREFF] * t42 + p[adr + MAGGI_TYRE_FREFF] * ratio));
+      tb94 = reb * t40;
+      pb[adr + MAGGI_TYRE_DREFF] -= tb94 * t42;
+      t42b = -(tb94 * p[adr + MAGGI_TYRE_DREFF]);
+      pb[adr + MAGGI_TYRE_FREFF] -= tb94 * ratio;
+      ratiob = -(tb94 * p[adr + MAGGI_TYRE_FREFF]);
+      reb = 0.0;
+      t41b = t42b * (1.0 / (1.0 + t41 * t41));
+      pb[adr + MAGGI_TYRE_BREFF] += t41b * ratio;
+      ratiob += t41b * p[adr + MAGGI_TYRE_BREFF];
+      tb93 = t40b / p[adr + MAGGI_TYRE_VERTICAL_STIFFNESS];
+      fz0b += tb93;
+      pb[adr + MAGGI_TYRE_VERTICAL_STIFFNESS] -= tb93 * t40;
+      tb92 = ratiob / fz0;
+      fzb += tb92;
+      fz0b -= tb92 * ratio;
+    } else {
+      pb[adr + MAGGI_TYRE_UNLOADED_RADIUS] += reb;
+      reb = 0.0;
+    }
+    /* Re = R0 - rho0 (D atan(B rd) + F rd),  rd = Fz / Fz0,  rho0 = Fz0 / Cz;  R0 in the air */
+    pb[adr + MAGGI_TYRE_LFZO] += fz0b * p[adr];
+    pb[adr] += fz0b * p[adr + MAGGI_TYRE_LFZO];
+    pb[adr + MAGGI_TYRE_VERTICAL_STIFFNESS] += fzb * (p[adr + MAGGI_TYRE_UNLOADED_RADIUS] - z0);
+    tb91 = fzb * p[adr + MAGGI_TYRE_VERTICAL_STIFFNESS];
+    pb[adr + MAGGI_TYRE_UNLOADED_RADIUS] += tb91;
+    z0b = -tb91;
+    pb[adr + MAGGI_TYRE_VERTICAL_DAMPING] += fzb * rhov;
+    rhovb = fzb * p[adr + MAGGI_TYRE_VERTICAL_DAMPING];
+    tb90 = rhovb / z2_2;
+    z3_2b = tb90 * v0;
+    v0b += tb90 * z3_2;
+    v0b -= tb90 * N0;
+    N0b = -(tb90 * v0);
+    v1b -= tb90 * N1;
+    v2b -= tb90 * N2;
+    N2b = -(tb90 * v2);
+    z2_2b = -(tb90 * rhov);
+    Zb[carrier][2] += v2b;
+    w2_2b = v2b;
+    Zb[carrier][1] += v1b;
+    w1b = v1b;
+    Zb[carrier][0] += v0b;
+    w0b = v0b;
+    wr0b = w2_2b * c1;
+    c1b = w2_2b * wr0;
+    wr1b = -(w2_2b * c0);
+    c0b = -(w2_2b * wr1);
+    wr2b = w1b * c0;
+    c0b += w1b * wr2;
+    wr0b -= w1b * c2_2;
+    c2_2b = -(w1b * wr0);
+    wr1b += w0b * c2_2;
+    c2_2b += w0b * wr1;
+    wr2b -= w0b * c1;
+    c1b -= w0b * wr2;
+    Zb[carrier][5] += wr2b;
+    Zb[carrier][4] += wr1b;
+    Zb[carrier][3] += wr0b;
+    rb[t->wheelpoint[i]][2] += c2_2b;
+    arm2b = c2_2b;
+    rb[t->wheelpoint[i]][1] += c1b;
+    arm1b = c1b;
+    rb[t->wheelpoint[i]][0] += c0b;
+    arm0b = c0b;
+    h12b = z3_2b;
+    w2b = z2_2b;
+    r2b = z0b;
+    normal2b = N2b;
+    along2b = T2b;
+    tb88 = arm2b / w2;
+    r2b += tb88 * (c2 * u2_2 - normal2);
+    tb89 = tb88 * r2;
+    c2b = tb89 * u2_2;
+    u2_2b += tb89 * c2;
+    normal2b -= tb89;
+    w2b -= tb88 * arm2;
+    along1b = T1b;
+    tb86 = arm1b / w2;
+    r2b += tb86 * (c2 * u1 - normal1);
+    tb87 = tb86 * r2;
+    c2b += tb87 * u1;
+    u1b += tb87 * c2;
+    w2b -= tb86 * arm1;
+    normal0b = N0b;
+    along0b = T0b;
+    tb84 = arm0b / w2;
+    r2b += tb84 * (c2 * u0 - normal0);
+    tb85 = tb84 * r2;
+    c2b += tb85 * u0;
+    u0b += tb85 * c2;
+    normal0b -= tb85;
+    w2b -= tb84 * arm0;
+    tb83 = along2b / w2;
+    un2b = tb83;
+    w2b -= tb83 * along2;
+    tb82 = along1b / w2;
+    un1b = tb82;
+    w2b -= tb82 * along1;
+    tb81 = along0b / w2;
+    un0b = tb81;
+    w2b -= tb81 * along0;
+    tb78 = r2b / w2;
+    tb79 = tb78 * normal0;
+    g0b = tb79;
+    xb = -tb79;
+    normal0b += tb78 * (g0 - x);
+    tb80 = tb78 * normal2;
+    g2b = tb80;
+    h10b = -tb80;
+    normal2b += tb78 * (g2 - h10);
+    w2b -= tb78 * r2;
+    t39b = w2b * (1.0 / (2.0 * w2));
+    un0b += t39b * un0;
+    un0b += t39b * un0;
+    un1b += t39b * un1;
+    un1b += t39b * un1;
+    un2b += t39b * un2;
+    un2b += t39b * un2;
+    u0b += un2b * normal1;
+    u1b -= un2b * normal0;
+    normal0b -= un2b * u1;
+    u2_2b += un1b * normal0;
+    normal0b += un1b * u2_2;
+    u0b -= un1b * normal2;
+    normal2b -= un1b * u0;
+    u1b += un0b * normal2;
+    normal2b += un0b * u1;
+    u2_2b -= un0b * normal1;
+    u0b += c2b * normal0;
+    normal0b += c2b * u0;
+    u1b += c2b * normal1;
+    u2_2b += c2b * normal2;
+    normal2b += c2b * u2_2;
+    tb77 = normal2b / s;
+    sb = -(tb77 * normal2);
+    tb76 = normal0b / s;
+    h11b = -tb76;
+    sb -= tb76 * normal0;
+    t38b = sb * (1.0 / (2.0 * s));
+    h11b += t38b * h11;
+    h11b += t38b * h11;
+    if (t->roadkind[road] == MAGGI_ROAD_FLAT) {
+      p_road4 = p[t->roadadr[road]];
+      h12b = 0.0;
+      p_road4b = h11b;
+      h11b = 0.0;
+      p_road4b += h10b * x;
+      xb += h10b * p_road4;
+      h10b = 0.0;
+      pb[t->roadadr[road]] += p_road4b;
+    } else if (t->roadkind[road] == MAGGI_ROAD_SINE) {
+      k8 = 6.28318530717958647693 / p[t->roadadr[road] + 1];
+      t18 = k8 * x;
+      t19 = sin(t18);
+      p_road5 = p[t->roadadr[road]];
+      t20 = k8 * x;
+      t21 = cos(t20);
+      h12b = 0.0;
+      tb37 = h11b * t21;
+      k8b = tb37 * p_road5;
+      p_road5b = tb37 * k8;
+      t21b = h11b * (k8 * p_road5);
+      h11b = 0.0;
+      t20b = -(t21b * sin(t20));
+      k8b += t20b * x;
+      xb += t20b * k8;
+      p_road5b += h10b * t19;
+      t19b = h10b * p_road5;
+      h10b = 0.0;
+      pb[t->roadadr[road]] += p_road5b;
+      t18b = t19b * cos(t18);
+      k8b += t18b * x;
+      xb += t18b * k8;
+      tb36 = k8b / p[t->roadadr[road] + 1];
+      pb[t->roadadr[road] + 1] -= tb36 * k8;
+    } else if (t->roadkind[road] == MAGGI_ROAD_BUMPS) {
+      k7 = nearest_nodiff(t->np, p, t->roadadr[road], t->roadn[road], x);
+      x4 = x - p[t->roadadr[road] + MAGGI_BUMPS_FIRST] - k7 * p[t->roadadr[road] +
+          MAGGI_BUMPS_SPACING];
+      radius2 = p[t->roadadr[road]];
+      base2 = radius2 - p[t->roadadr[road] + MAGGI_BUMPS_HEIGHT];
+      t22 = radius2 * radius2 - base2 * base2;
+      c5 = sqrt(t22);
+      f2 = 0.5 * p[t->roadadr[road] + MAGGI_BUMPS_FILLET];
+      if (MAGGI_RE(x4) > 0.0) {
+        way2 = 1.0;
+      } else {
+        way2 = -1.0;
+      }
+      y2 = way2 * x4;
+      b41b = h12b;
+      h12b = 0.0;
+      h11b = 0.0;
+      b40b = h10b;
+      h10b = 0.0;
+      base2b = 0.0;
+      c5b = 0.0;
+      f2b = 0.0;
+      radius2b = 0.0;
+      x4b = 0.0;
+      y2b = 0.0;
+      if (MAGGI_RE(y2) >= MAGGI_RE(c5 + f2)) {
+        b41b = 0.0;
+        b40b = 0.0;
+      } else if (MAGGI_RE(y2) > MAGGI_RE(c5 - f2)) {
+        t23 = radius2 * radius2 - (c5 - f2) * (c5 - f2);
+        z3 = sqrt(t23);
+        h0_3 = z3 - base2;
+        h1_3 = 2.0 * f2 * (c5 - f2) / z3;
+        a3 = 3.0 * h0_3 - h1_3;
+        t24 = z3 * z3 * z3;
+        t25 = 2.0 * f2 * f2 * radius2 * radius2 / t24;
+        b5 = 6.0 * h0_3 - 3.0 * h1_3 - t25;
+        t26 = 2.0 * f2;
+        u3 = (c5 + f2 - y2) / t26;
+        w4 = 1.0 - u3;
+        t27 = 2.0 * f2;
+        t28 = -way2 * u3 * u3 * (3.0 * (h0_3 + w4 * (a3 + w4 * b5)) - u3 * (a3 + 2.0 * w4 * b5)) /
+            t27;
+        t28b = b41b;
+        b41b = 0.0;
+        tb51 = t28b / t27;
+        tb52 = tb51 * (3.0 * (h0_3 + w4 * (a3 + w4 * b5)) - u3 * (a3 + 2.0 * w4 * b5));
+        u3b = -(tb52 * u3 * way2);
+        u3b += tb52 * (-way2 * u3);
+        tb53 = tb51 * (-way2 * u3 * u3);
+        tb54 = tb53 * 3.0;
+        h0_3b = tb54;
+        w4b = tb54 * (a3 + w4 * b5);
+        tb55 = tb54 * w4;
+        a3b = tb55;
+        w4b += tb55 * b5;
+        b5b = tb55 * w4;
+        u3b -= tb53 * (a3 + 2.0 * w4 * b5);
+        tb56 = tb53 * u3;
+        a3b -= tb56;
+        w4b -= tb56 * b5 * 2.0;
+        b5b -= tb56 * (2.0 * w4);
+        t27b = -(tb51 * t28);
+        f2b += t27b * 2.0;
+        tb47 = b40b * (h0_3 + w4 * (a3 + w4 * b5));
+        tb48 = tb47 * u3;
+        u3b += tb48 * u3;
+        u3b += tb48 * u3;
+        u3b += tb47 * (u3 * u3);
+        tb49 = b40b * (u3 * u3 * u3);
+        h0_3b += tb49;
+        w4b += tb49 * (a3 + w4 * b5);
+        tb50 = tb49 * w4;
+        a3b += tb50;
+        w4b += tb50 * b5;
+        b5b += tb50 * w4;
+        b40b = 0.0;
+        u3b -= w4b;
+        tb46 = u3b / t26;
+        c5b += tb46;
+        f2b += tb46;
+        y2b -= tb46;
+        t26b = -(tb46 * u3);
+        f2b += t26b * 2.0;
+        h0_3b += b5b * 6.0;
+        h1_3b = -(b5b * 3.0);
+        t25b = -b5b;
+        tb43 = t25b / t24;
+        tb44 = tb43 * radius2;
+        tb45 = tb44 * radius2;
+        f2b += tb45 * f2 * 2.0;
+        f2b += tb45 * (2.0 * f2);
+        radius2b += tb44 * (2.0 * f2 * f2);
+        radius2b += tb43 * (2.0 * f2 * f2 * radius2);
+        t24b = -(tb43 * t25);
+        tb42 = t24b * z3;
+        z3b = tb42 * z3;
+        z3b += tb42 * z3;
+        z3b += t24b * (z3 * z3);
+        h0_3b += a3b * 3.0;
+        h1_3b -= a3b;
+        tb40 = h1_3b / z3;
+        f2b += tb40 * (c5 - f2) * 2.0;
+        tb41 = tb40 * (2.0 * f2);
+        c5b += tb41;
+        f2b -= tb41;
+        z3b -= tb40 * h1_3;
+        z3b += h0_3b;
+        base2b -= h0_3b;
+        t23b = z3b * (1.0 / (2.0 * z3));
+        radius2b += t23b * radius2;
+        radius2b += t23b * radius2;
+        tb38 = t23b * (c5 - f2);
+        c5b -= tb38;
+        f2b += tb38;
+        tb39 = t23b * (c5 - f2);
+        c5b -= tb39;
+        f2b += tb39;
+      } else {
+        t29 = radius2 * radius2 - y2 * y2;
+        z3_3 = sqrt(t29);
+        t30 = -x4 / z3_3;
+        t30b = b41b;
+        b41b = 0.0;
+        tb57 = t30b / z3_3;
+        x4b -= tb57;
+        z3_3b = -(tb57 * t30);
+        z3_3b += b40b;
+        base2b -= b40b;
+        b40b = 0.0;
+        t29b = z3_3b * (1.0 / (2.0 * z3_3));
+        radius2b += t29b * radius2;
+        radius2b += t29b * radius2;
+        y2b -= t29b * y2;
+        y2b -= t29b * y2;
+      }
+      x4b += y2b * way2;
+      pb[t->roadadr[road] + MAGGI_BUMPS_FILLET] += f2b * 0.5;
+      t22b = c5b * (1.0 / (2.0 * c5));
+      radius2b += t22b * radius2;
+      radius2b += t22b * radius2;
+      base2b -= t22b * base2;
+      base2b -= t22b * base2;
+      radius2b += base2b;
+      pb[t->roadadr[road] + MAGGI_BUMPS_HEIGHT] -= base2b;
+      /* A cylinder across the road, at x from its axis:  h = sqrt(R^2 - x^2) - (R - height), up to where it
+       * meets the road, |x| = c.  From c - f to c + f a fillet with two continuous derivatives,
+       *   h = u^3 (h0 + a (1 - u) + b (1 - u)^2),  u = (c + f - |x|) / (2 f),  h0, a, b: h, h', h'' at u = 1 */
+      pb[t->roadadr[road]] += radius2b;
+      xb += x4b;
+      pb[t->roadadr[road] + MAGGI_BUMPS_FIRST] -= x4b;
+      pb[t->roadadr[road] + MAGGI_BUMPS_SPACING] -= x4b * k7;
+    } else {
+      k9 = maggi_piece(t->np, p, t->roadadr[road], t->roadn[road], x);
+      h12b = 0.0;
+      s31b = h11b;
+      h11b = 0.0;
+      s30b = h10b;
+      h10b = 0.0;
+      if (k9 < 0) {
+        p_road6 = p[t->roadadr[road]];
+        h2 = p[t->roadadr[road] + 1] - p_road6;
+        p_roadroad2 = p[t->roadadr[road] + t->roadn[road]];
+        t31 = (p[t->roadadr[road] + t->roadn[road] + 1] - p_roadroad2) / h2;
+        slope2 = t31 - h2 / 6.0 * (2.0 * spline0[t->roadspline[road]][0] +
+            spline0[t->roadspline[road] + 1][0]);
+        slope2b = s31b;
+        s31b = 0.0;
+        p_roadroad2b = s30b;
+        slope2b += s30b * (x - p_road6);
+        tb60 = s30b * slope2;
+        xb += tb60;
+        p_road6b = -tb60;
+        s30b = 0.0;
+        t31b = slope2b;
+        h2b = -(slope2b * (2.0 * spline0[t->roadspline[road]][0] + spline0[t->roadspline[road] +
+            1][0]) / 6.0);
+        tb59 = slope2b * (h2 / 6.0);
+        spline0b[t->roadspline[road]][0] -= tb59 * 2.0;
+        spline0b[t->roadspline[road] + 1][0] -= tb59;
+        tb58 = t31b / h2;
+        pb[t->roadadr[road] + t->roadn[road] + 1] += tb58;
+        p_roadroad2b -= tb58;
+        h2b -= tb58 * t31;
+        pb[t->roadadr[road] + t->roadn[road]] += p_roadroad2b;
+        pb[t->roadadr[road] + 1] += h2b;
+        p_road6b -= h2b;
+        pb[t->roadadr[road]] += p_road6b;
+      } else if (k9 > t->roadn[road] - 2) {
+        p5 = p[t->roadadr[road] + t->roadn[road] - 1];
+        h2_2 = p5 - p[t->roadadr[road] + t->roadn[road] - 2];
+        p6 = p[t->roadadr[road] + t->roadn[road] + t->roadn[road] - 1];
+        t32 = (p6 - p[t->roadadr[road] + t->roadn[road] + t->roadn[road] - 2]) / h2_2;
+        slope2_2 = t32 + h2_2 / 6.0 * (spline0[t->roadspline[road] + t->roadn[road] - 2][0] + 2.0 *
+            spline0[t->roadspline[road] + t->roadn[road] - 1][0]);
+        slope2_2b = s31b;
+        s31b = 0.0;
+        p6b = s30b;
+        slope2_2b += s30b * (x - p5);
+        tb63 = s30b * slope2_2;
+        xb += tb63;
+        p5b = -tb63;
+        s30b = 0.0;
+        t32b = slope2_2b;
+        h2_2b = slope2_2b * (spline0[t->roadspline[road] + t->roadn[road] - 2][0] + 2.0 *
+            spline0[t->roadspline[road] + t->roadn[road] - 1][0]) / 6.0;
+        tb62 = slope2_2b * (h2_2 / 6.0);
+        spline0b[t->roadspline[road] + t->roadn[road] - 2][0] += tb62;
+        spline0b[t->roadspline[road] + t->roadn[road] - 1][0] += tb62 * 2.0;
+        tb61 = t32b / h2_2;
+        p6b += tb61;
+        pb[t->roadadr[road] + t->roadn[road] + t->roadn[road] - 2] -= tb61;
+        h2_2b -= tb61 * t32;
+        pb[t->roadadr[road] + t->roadn[road] + t->roadn[road] - 1] += p6b;
+        p5b += h2_2b;
+        pb[t->roadadr[road] + t->roadn[road] - 2] -= h2_2b;
+        pb[t->roadadr[road] + t->roadn[road] - 1] += p5b;
+      } else {
+        p_roadk91 = p[t->roadadr[road] + k9 + 1];
+        p_roadk9 = p[t->roadadr[road] + k9];
+        h2_3 = p_roadk91 - p_roadk9;
+        a4 = p_roadk91 - x;
+        c6 = x - p_roadk9;
+        p7 = p[t->roadadr[road] + t->roadn[road] + k9];
+        t33 = (p[t->roadadr[road] + t->roadn[road] + k9 + 1] - p7) / h2_3;
+        spline0_roadk910 = spline0[t->roadspline[road] + k9 + 1][0];
+        spline0_roadk90 = spline0[t->roadspline[road] + k9][0];
+        e2 = t33 - h2_3 / 6.0 * (spline0_roadk910 - spline0_roadk90);
+        t34 = 6.0 * h2_3;
+        t35 = (spline0_roadk90 * a4 * a4 * a4 + spline0_roadk910 * c6 * c6 * c6) / t34;
+        t36 = 2.0 * h2_3;
+        t37 = (spline0_roadk910 * c6 * c6 - spline0_roadk90 * a4 * a4) / t36;
+        t37b = s31b;
+        e2b = s31b;
+        s31b = 0.0;
+        tb73 = t37b / t36;
+        tb74 = tb73 * c6;
+        spline0_roadk910b = tb74 * c6;
+        c6b = tb74 * spline0_roadk910;
+        c6b += tb73 * (spline0_roadk910 * c6);
+        tb75 = tb73 * a4;
+        spline0_roadk90b = -(tb75 * a4);
+        a4b = -(tb75 * spline0_roadk90);
+        a4b -= tb73 * (spline0_roadk90 * a4);
+        t36b = -(tb73 * t37);
+        h2_3b = t36b * 2.0;
+        t35b = s30b;
+        p7b = s30b;
+        tb71 = s30b / 6.0;
+        tb72 = tb71 * h2_3;
+        spline0_roadk90b -= tb72 * h2_3;
+        h2_3b -= tb72 * spline0_roadk90;
+        h2_3b -= tb71 * (spline0_roadk90 * h2_3);
+        e2b += s30b * c6;
+        c6b += s30b * e2;
+        s30b = 0.0;
+        tb66 = t35b / t34;
+        tb67 = tb66 * a4;
+        tb68 = tb67 * a4;
+        spline0_roadk90b += tb68 * a4;
+        a4b += tb68 * spline0_roadk90;
+        a4b += tb67 * (spline0_roadk90 * a4);
+        a4b += tb66 * (spline0_roadk90 * a4 * a4);
+        tb69 = tb66 * c6;
+        tb70 = tb69 * c6;
+        spline0_roadk910b += tb70 * c6;
+        c6b += tb70 * spline0_roadk910;
+        c6b += tb69 * (spline0_roadk910 * c6);
+        c6b += tb66 * (spline0_roadk910 * c6 * c6);
+        t34b = -(tb66 * t35);
+        h2_3b += t34b * 6.0;
+        t33b = e2b;
+        h2_3b -= e2b * (spline0_roadk910 - spline0_roadk90) / 6.0;
+        tb65 = e2b * (h2_3 / 6.0);
+        spline0_roadk910b -= tb65;
+        spline0_roadk90b += tb65;
+        spline0b[t->roadspline[road] + k9][0] += spline0_roadk90b;
+        spline0b[t->roadspline[road] + k9 + 1][0] += spline0_roadk910b;
+        tb64 = t33b / h2_3;
+        pb[t->roadadr[road] + t->roadn[road] + k9 + 1] += tb64;
+        p7b -= tb64;
+        h2_3b -= tb64 * t33;
+        pb[t->roadadr[road] + t->roadn[road] + k9] += p7b;
+        xb += c6b;
+        p_roadk9b = -c6b;
+        p_roadk91b = a4b;
+        xb -= a4b;
+        p_roadk91b += h2_3b;
+        p_roadk9b -= h2_3b;
+        pb[t->roadadr[road] + k9] += p_roadk9b;
+        pb[t->roadadr[road] + k9 + 1] += p_roadk91b;
+      }
+    }
+    g0b += xb;
+    t17b = xb * (g2 - h00);
+    tb35 = xb * t17;
+    g2b += tb35;
+    h00b = -tb35;
+    tb34 = t17b / t16;
+    u2_2b += tb34 * u0;
+    u0b += tb34 * u2_2;
+    t16b = -(tb34 * t17);
+    u0b += t16b * u0;
+    u0b += t16b * u0;
+    u1b += t16b * u1;
+    u1b += t16b * u1;
+    x2b = 0.0;
+    if (t->roadkind[road] == MAGGI_ROAD_FLAT) {
+      p_road = p[t->roadadr[road]];
+      p_roadb = h00b * x2;
+      x2b += h00b * p_road;
+      h00b = 0.0;
+      pb[t->roadadr[road]] += p_roadb;
+    } else if (t->roadkind[road] == MAGGI_ROAD_SINE) {
+      k5 = 6.28318530717958647693 / p[t->roadadr[road] + 1];
+      t3 = k5 * x2;
+      t4 = sin(t3);
+      p_road2 = p[t->roadadr[road]];
+      p_road2b = h00b * t4;
+      t4b = h00b * p_road2;
+      h00b = 0.0;
+      pb[t->roadadr[road]] += p_road2b;
+      t3b = t4b * cos(t3);
+      k5b = t3b * x2;
+      x2b += t3b * k5;
+      tb5 = k5b / p[t->roadadr[road] + 1];
+      pb[t->roadadr[road] + 1] -= tb5 * k5;
+    } else if (t->roadkind[road] == MAGGI_ROAD_BUMPS) {
+      k4 = nearest_nodiff(t->np, p, t->roadadr[road], t->roadn[road], x2);
+      x3 = x2 - p[t->roadadr[road] + MAGGI_BUMPS_FIRST] - k4 * p[t->roadadr[road] +
+          MAGGI_BUMPS_SPACING];
+      radius = p[t->roadadr[road]];
+      base = radius - p[t->roadadr[road] + MAGGI_BUMPS_HEIGHT];
+      t5 = radius * radius - base * base;
+      c3 = sqrt(t5);
+      f = 0.5 * p[t->roadadr[road] + MAGGI_BUMPS_FILLET];
+      if (MAGGI_RE(x3) > 0.0) {
+        way = 1.0;
+      } else {
+        way = -1.0;
+      }
+      y = way * x3;
+      b20b = h00b;
+      h00b = 0.0;
+      baseb = 0.0;
+      c3b = 0.0;
+      fb = 0.0;
+      radiusb = 0.0;
+      yb = 0.0;
+      if (MAGGI_RE(y) >= MAGGI_RE(c3 + f)) {
+        b20b = 0.0;
+      } else if (MAGGI_RE(y) > MAGGI_RE(c3 - f)) {
+        t6 = radius * radius - (c3 - f) * (c3 - f);
+        z2 = sqrt(t6);
+        h0_2 = z2 - base;
+        h1_2 = 2.0 * f * (c3 - f) / z2;
+        a = 3.0 * h0_2 - h1_2;
+        t7 = z2 * z2 * z2;
+        t8 = 2.0 * f * f * radius * radius / t7;
+        b3 = 6.0 * h0_2 - 3.0 * h1_2 - t8;
+        t9 = 2.0 * f;
+        u2 = (c3 + f - y) / t9;
+        w3 = 1.0 - u2;
+        tb15 = b20b * (h0_2 + w3 * (a + w3 * b3));
+        tb16 = tb15 * u2;
+        u2b = tb16 * u2;
+        u2b += tb16 * u2;
+        u2b += tb15 * (u2 * u2);
+        tb17 = b20b * (u2 * u2 * u2);
+        h0_2b = tb17;
+        w3b = tb17 * (a + w3 * b3);
+        tb18 = tb17 * w3;
+        ab = tb18;
+        w3b += tb18 * b3;
+        b3b = tb18 * w3;
+        b20b = 0.0;
+        u2b -= w3b;
+        tb14 = u2b / t9;
+        c3b += tb14;
+        fb += tb14;
+        yb -= tb14;
+        t9b = -(tb14 * u2);
+        fb += t9b * 2.0;
+        h0_2b += b3b * 6.0;
+        h1_2b = -(b3b * 3.0);
+        t8b = -b3b;
+        tb11 = t8b / t7;
+        tb12 = tb11 * radius;
+        tb13 = tb12 * radius;
+        fb += tb13 * f * 2.0;
+        fb += tb13 * (2.0 * f);
+        radiusb += tb12 * (2.0 * f * f);
+        radiusb += tb11 * (2.0 * f * f * radius);
+        t7b = -(tb11 * t8);
+        tb10 = t7b * z2;
+        z2b = tb10 * z2;
+        z2b += tb10 * z2;
+        z2b += t7b * (z2 * z2);
+        h0_2b += ab * 3.0;
+        h1_2b -= ab;
+        tb8 = h1_2b / z2;
+        fb += tb8 * (c3 - f) * 2.0;
+        tb9 = tb8 * (2.0 * f);
+        c3b += tb9;
+        fb -= tb9;
+        z2b -= tb8 * h1_2;
+        z2b += h0_2b;
+        baseb -= h0_2b;
+        t6b = z2b * (1.0 / (2.0 * z2));
+        radiusb += t6b * radius;
+        radiusb += t6b * radius;
+        tb6 = t6b * (c3 - f);
+        c3b -= tb6;
+        fb += tb6;
+        tb7 = t6b * (c3 - f);
+        c3b -= tb7;
+        fb += tb7;
+      } else {
+        t10 = radius * radius - y * y;
+        z2_3 = sqrt(t10);
+        z2_3b = b20b;
+        baseb -= b20b;
+        b20b = 0.0;
+        t10b = z2_3b * (1.0 / (2.0 * z2_3));
+        radiusb += t10b * radius;
+        radiusb += t10b * radius;
+        yb -= t10b * y;
+        yb -= t10b * y;
+      }
+      x3b = yb * way;
+      pb[t->roadadr[road] + MAGGI_BUMPS_FILLET] += fb * 0.5;
+      t5b = c3b * (1.0 / (2.0 * c3));
+      radiusb += t5b * radius;
+      radiusb += t5b * radius;
+      baseb -= t5b * base;
+      baseb -= t5b * base;
+      radiusb += baseb;
+      pb[t->roadadr[road] + MAGGI_BUMPS_HEIGHT] -= baseb;
+      /* A cylinder across the road, at x from its axis:  h = sqrt(R^2 - x^2) - (R - height), up to where it
+       * meets the road, |x| = c.  From c - f to c + f a fillet with two continuous derivatives,
+       *   h = u^3 (h0 + a (1 - u) + b (1 - u)^2),  u = (c + f - |x|) / (2 f),  h0, a, b: h, h', h'' at u = 1 */
+      pb[t->roadadr[road]] += radiusb;
+      x2b += x3b;
+      pb[t->roadadr[road] + MAGGI_BUMPS_FIRST] -= x3b;
+      pb[t->roadadr[road] + MAGGI_BUMPS_SPACING] -= x3b * k4;
+    } else {
+      k6 = maggi_piece(t->np, p, t->roadadr[road], t->roadn[road], x2);
+      s20b = h00b;
+      h00b = 0.0;
+      if (k6 < 0) {
+        p_road3 = p[t->roadadr[road]];
+        h = p[t->roadadr[road] + 1] - p_road3;
+        p_roadroad = p[t->roadadr[road] + t->roadn[road]];
+        t11 = (p[t->roadadr[road] + t->roadn[road] + 1] - p_roadroad) / h;
+        slope = t11 - h / 6.0 * (2.0 * spline0[t->roadspline[road]][0] + spline0[t->roadspline[road]
+            + 1][0]);
+        p_roadroadb = s20b;
+        slopeb = s20b * (x2 - p_road3);
+        tb21 = s20b * slope;
+        x2b += tb21;
+        p_road3b = -tb21;
+        s20b = 0.0;
+        t11b = slopeb;
+        hb = -(slopeb * (2.0 * spline0[t->roadspline[road]][0] + spline0[t->roadspline[road] +
+            1][0]) / 6.0);
+        tb20 = slopeb * (h / 6.0);
+        spline0b[t->roadspline[road]][0] -= tb20 * 2.0;
+        spline0b[t->roadspline[road] + 1][0] -= tb20;
+        tb19 = t11b / h;
+        pb[t->roadadr[road] + t->roadn[road] + 1] += tb19;
+        p_roadroadb -= tb19;
+        hb -= tb19 * t11;
+        pb[t->roadadr[road] + t->roadn[road]] += p_roadroadb;
+        pb[t->roadadr[road] + 1] += hb;
+        p_road3b -= hb;
+        pb[t->roadadr[road]] += p_road3b;
+      } else if (k6 > t->roadn[road] - 2) {
+        p2 = p[t->roadadr[road] + t->roadn[road] - 1];
+        h3 = p2 - p[t->roadadr[road] + t->roadn[road] - 2];
+        p3 = p[t->roadadr[road] + t->roadn[road] + t->roadn[road] - 1];
+        t12 = (p3 - p[t->roadadr[road] + t->roadn[road] + t->roadn[road] - 2]) / h3;
+        slope3 = t12 + h3 / 6.0 * (spline0[t->roadspline[road] + t->roadn[road] - 2][0] + 2.0 *
+            spline0[t->roadspline[road] + t->roadn[road] - 1][0]);
+        p3b = s20b;
+        slope3b = s20b * (x2 - p2);
+        tb24 = s20b * slope3;
+        x2b += tb24;
+        p2b = -tb24;
+        s20b = 0.0;
+        t12b = slope3b;
+        h3b = slope3b * (spline0[t->roadspline[road] + t->roadn[road] - 2][0] + 2.0 *
+            spline0[t->roadspline[road] + t->roadn[road] - 1][0]) / 6.0;
+        tb23 = slope3b * (h3 / 6.0);
+        spline0b[t->roadspline[road] + t->roadn[road] - 2][0] += tb23;
+        spline0b[t->roadspline[road] + t->roadn[road] - 1][0] += tb23 * 2.0;
+        tb22 = t12b / h3;
+        p3b += tb22;
+        pb[t->roadadr[road] + t->roadn[road] + t->roadn[road] - 2] -= tb22;
+        h3b -= tb22 * t12;
+        pb[t->roadadr[road] + t->roadn[road] + t->roadn[road] - 1] += p3b;
+        p2b += h3b;
+        pb[t->roadadr[road] + t->roadn[road] - 2] -= h3b;
+        pb[t->roadadr[road] + t->roadn[road] - 1] += p2b;
+      } else {
+        p_roadk61 = p[t->roadadr[road] + k6 + 1];
+        p_roadk6 = p[t->roadadr[road] + k6];
+        h3_2 = p_roadk61 - p_roadk6;
+        a2 = p_roadk61 - x2;
+        c4 = x2 - p_roadk6;
+        p4 = p[t->roadadr[road] + t->roadn[road] + k6];
+        t13 = (p[t->roadadr[road] + t->roadn[road] + k6 + 1] - p4) / h3_2;
+        spline0_roadk610 = spline0[t->roadspline[road] + k6 + 1][0];
+        spline0_roadk60 = spline0[t->roadspline[road] + k6][0];
+        e = t13 - h3_2 / 6.0 * (spline0_roadk610 - spline0_roadk60);
+        t14 = 6.0 * h3_2;
+        t15 = (spline0_roadk60 * a2 * a2 * a2 + spline0_roadk610 * c4 * c4 * c4) / t14;
+        t15b = s20b;
+        p4b = s20b;
+        tb32 = s20b / 6.0;
+        tb33 = tb32 * h3_2;
+        spline0_roadk60b = -(tb33 * h3_2);
+        h3_2b = -(tb33 * spline0_roadk60);
+        h3_2b -= tb32 * (spline0_roadk60 * h3_2);
+        eb = s20b * c4;
+        c4b = s20b * e;
+        s20b = 0.0;
+        tb27 = t15b / t14;
+        tb28 = tb27 * a2;
+        tb29 = tb28 * a2;
+        spline0_roadk60b += tb29 * a2;
+        a2b = tb29 * spline0_roadk60;
+        a2b += tb28 * (spline0_roadk60 * a2);
+        a2b += tb27 * (spline0_roadk60 * a2 * a2);
+        tb30 = tb27 * c4;
+        tb31 = tb30 * c4;
+        spline0_roadk610b = tb31 * c4;
+        c4b += tb31 * spline0_roadk610;
+        c4b += tb30 * (spline0_roadk610 * c4);
+        c4b += tb27 * (spline0_roadk610 * c4 * c4);
+        t14b = -(tb27 * t15);
+        h3_2b += t14b * 6.0;
+        t13b = eb;
+        h3_2b -= eb * (spline0_roadk610 - spline0_roadk60) / 6.0;
+        tb26 = eb * (h3_2 / 6.0);
+        spline0_roadk610b -= tb26;
+        spline0_roadk60b += tb26;
+        spline0b[t->roadspline[road] + k6][0] += spline0_roadk60b;
+        spline0b[t->roadspline[road] + k6 + 1][0] += spline0_roadk610b;
+        tb25 = t13b / h3_2;
+        pb[t->roadadr[road] + t->roadn[road] + k6 + 1] += tb25;
+        p4b -= tb25;
+        h3_2b -= tb25 * t13;
+        pb[t->roadadr[road] + t->roadn[road] + k6] += p4b;
+        x2b += c4b;
+        p_roadk6b = -c4b;
+        p_roadk61b = a2b;
+        x2b -= a2b;
+        p_roadk61b += h3_2b;
+        p_roadk6b -= h3_2b;
+        pb[t->roadadr[road] + k6] += p_roadk6b;
+        pb[t->roadadr[road] + k6 + 1] += p_roadk61b;
+      }
+    }
+    /* Where the rigid disc of a wheel meets the road: the plane that touches the road where the line from
+     * the centre down the disc meets it, n its normal; then down the disc to that plane,
+     *   e = (u.n u - n) / |u × n|,  r = (c - q).n / |u × n|,  T = u × n / |u × n|,  L = n × T
+     * g: centre c from the point of the road.  arm: r e; z: r, u.n, |u × n|, slope that the plane lacks */
+    g0b += x2b;
+    rb[t->wheelpoint[i]][2] += g2b;
+    rb[t->roadpoint[road]][2] -= g2b;
+    rb[t->wheelpoint[i]][0] += g0b;
+    rb[t->roadpoint[road]][0] -= g0b;
+    tb4 = u2_2b / n2;
+    ua2b = tb4;
+    n2b = -(tb4 * u2_2);
+    tb3 = u1b / n2;
+    ua1b = tb3;
+    n2b -= tb3 * u1;
+    tb2 = u0b / n2;
+    ua0b = tb2;
+    n2b -= tb2 * u0;
+    t2b = n2b * (1.0 / (2.0 * n2));
+    ua0b += t2b * ua0;
+    ua0b += t2b * ua0;
+    ua1b += t2b * ua1;
+    ua1b += t2b * ua1;
+    ua2b += t2b * ua2;
+    ua2b += t2b * ua2;
+    Ab[t->wheelbody[i]][6] += ua2b * axis0;
+    axis0b = ua2b * A[t->wheelbody[i]][6];
+    Ab[t->wheelbody[i]][7] += ua2b * axis1;
+    axis1b = ua2b * A[t->wheelbody[i]][7];
+    Ab[t->wheelbody[i]][8] += ua2b * axis2;
+    axis2b = ua2b * A[t->wheelbody[i]][8];
+    Ab[t->wheelbody[i]][3] += ua1b * axis0;
+    axis0b += ua1b * A[t->wheelbody[i]][3];
+    Ab[t->wheelbody[i]][4] += ua1b * axis1;
+    axis1b += ua1b * A[t->wheelbody[i]][4];
+    Ab[t->wheelbody[i]][5] += ua1b * axis2;
+    axis2b += ua1b * A[t->wheelbody[i]][5];
+    Ab[t->wheelbody[i]][0] += ua0b * axis0;
+    axis0b += ua0b * A[t->wheelbody[i]][0];
+    Ab[t->wheelbody[i]][1] += ua0b * axis1;
+    axis1b += ua0b * A[t->wheelbody[i]][1];
+    Ab[t->wheelbody[i]][2] += ua0b * axis2;
+    axis2b += ua0b * A[t->wheelbody[i]][2];
     pb[t->wheelaxis[i] + 2] += axis2b;
     pb[t->wheelaxis[i] + 1] += axis1b;
     pb[t->wheelaxis[i]] += axis0b;

@@ -46,11 +46,11 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
                             double F[restrict t->nwheel][6], double Fd[restrict t->nwheel][6],
                             double Fb[restrict t->nwheel][6], double Fbd[restrict t->nwheel][6])
 {
-  int a, i, k3, k5, k6, k8, k9, k9_2, point, road;
+  int i, k3, k5, k6, k8, k9, k9_2, road;
   double L0, L0b, L0bd, L0d, L1, L1b, L1bd, L1d, L2, L2b, L2bd, L2d, N0, N0b, N0bd, N0d, N1, N2,
       N2b, N2bd, N2d, T0, T0b, T0bd, T0d, T1, T1b, T1bd, T1d, T2, T2b, T2bd, T2d, Z_i3, Z_i3b,
-      Z_i3bd, Z_i3d, Z_i4, Z_i4b, Z_i4bd, Z_i4d, Z_i5, Z_i5b, Z_i5bd, Z_i5d, a2, a2b, a2bd, a2d, a3,
-      a3b, a3bd, a3d, a4, a4b, a4bd, a4d, a5, a5b, a5bd, a5d, a6, a6b, a6bd, a6d, along0, along0b,
+      Z_i3bd, Z_i3d, Z_i4, Z_i4b, Z_i4bd, Z_i4d, Z_i5, Z_i5b, Z_i5bd, Z_i5d, a, a2, a2b, a2bd, a2d,
+      a3, a3b, a3bd, a3d, a4, a4b, a4bd, a4d, a5, a5b, a5bd, a5d, ab, abd, ad, along0, along0b,
       along0bd, along0d, along1, along1b, along1bd, along1d, along2, along2b, along2bd, along2d, ar,
       arb, arbd, ard, areq, areqb, areqbd, areqd, arm0, arm0b, arm0bd, arm0d, arm1, arm1b, arm1bd,
       arm1d, arm2, arm2b, arm2bd, arm2d, at, atb, atbd, atd, ateq, ateqb, ateqbd, ateqd, axis0,
@@ -188,25 +188,28 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
       z41bd, z5, z5b, z5bd, z5d, z6, z6b, z6bd, z6d, z7, z7b, z7bd, z7d;
 
   for (i = t->nwheel - 1; i >= 0; --i) {
-    a = t->wheelbody[i];
     road = t->wheelroad[i];
-    point = t->wheelpoint[i];
-    side = t->wheelmirror[i] ? -1.0 : 1.0;
     axis0 = p[t->wheelaxis[i]];
     axis0d = pd[t->wheelaxis[i]];
     axis1 = p[t->wheelaxis[i] + 1];
     axis1d = pd[t->wheelaxis[i] + 1];
     axis2 = p[t->wheelaxis[i] + 2];
     axis2d = pd[t->wheelaxis[i] + 2];
-    ua0 = A[a][0] * axis0 + A[a][1] * axis1 + A[a][2] * axis2;
-    ua0d = Ad[a][0] * axis0 + A[a][0] * axis0d + (Ad[a][1] * axis1 + A[a][1] * axis1d) + (Ad[a][2] *
-        axis2 + A[a][2] * axis2d);
-    ua1 = A[a][3] * axis0 + A[a][4] * axis1 + A[a][5] * axis2;
-    ua1d = Ad[a][3] * axis0 + A[a][3] * axis0d + (Ad[a][4] * axis1 + A[a][4] * axis1d) + (Ad[a][5] *
-        axis2 + A[a][5] * axis2d);
-    ua2 = A[a][6] * axis0 + A[a][7] * axis1 + A[a][8] * axis2;
-    ua2d = Ad[a][6] * axis0 + A[a][6] * axis0d + (Ad[a][7] * axis1 + A[a][7] * axis1d) + (Ad[a][8] *
-        axis2 + A[a][8] * axis2d);
+    ua0 = A[t->wheelbody[i]][0] * axis0 + A[t->wheelbody[i]][1] * axis1 + A[t->wheelbody[i]][2] *
+        axis2;
+    ua0d = Ad[t->wheelbody[i]][0] * axis0 + A[t->wheelbody[i]][0] * axis0d + (Ad[t->wheelbody[i]][1]
+        * axis1 + A[t->wheelbody[i]][1] * axis1d) + (Ad[t->wheelbody[i]][2] * axis2 +
+        A[t->wheelbody[i]][2] * axis2d);
+    ua1 = A[t->wheelbody[i]][3] * axis0 + A[t->wheelbody[i]][4] * axis1 + A[t->wheelbody[i]][5] *
+        axis2;
+    ua1d = Ad[t->wheelbody[i]][3] * axis0 + A[t->wheelbody[i]][3] * axis0d + (Ad[t->wheelbody[i]][4]
+        * axis1 + A[t->wheelbody[i]][4] * axis1d) + (Ad[t->wheelbody[i]][5] * axis2 +
+        A[t->wheelbody[i]][5] * axis2d);
+    ua2 = A[t->wheelbody[i]][6] * axis0 + A[t->wheelbody[i]][7] * axis1 + A[t->wheelbody[i]][8] *
+        axis2;
+    ua2d = Ad[t->wheelbody[i]][6] * axis0 + A[t->wheelbody[i]][6] * axis0d + (Ad[t->wheelbody[i]][7]
+        * axis1 + A[t->wheelbody[i]][7] * axis1d) + (Ad[t->wheelbody[i]][8] * axis2 +
+        A[t->wheelbody[i]][8] * axis2d);
     t2 = ua0 * ua0 + ua1 * ua1 + ua2 * ua2;
     t2d = ua0d * ua0 + ua0 * ua0d + (ua1d * ua1 + ua1 * ua1d) + (ua2d * ua2 + ua2 * ua2d);
     n2 = sqrt(t2);
@@ -217,10 +220,10 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
     u1d = (ua1d - u1 * n2d) * (1.0 / n2);
     u2_2 = ua2 / n2;
     u2_2d = (ua2d - u2_2 * n2d) * (1.0 / n2);
-    g0 = r[point][0] - r[t->roadpoint[road]][0];
-    g0d = rd[point][0] - rd[t->roadpoint[road]][0];
-    g2_2 = r[point][2] - r[t->roadpoint[road]][2];
-    g2_2d = rd[point][2] - rd[t->roadpoint[road]][2];
+    g0 = r[t->wheelpoint[i]][0] - r[t->roadpoint[road]][0];
+    g0d = rd[t->wheelpoint[i]][0] - rd[t->roadpoint[road]][0];
+    g2_2 = r[t->wheelpoint[i]][2] - r[t->roadpoint[road]][2];
+    g2_2d = rd[t->wheelpoint[i]][2] - rd[t->roadpoint[road]][2];
     x2 = g0;
     x2d = g0d;
     if (t->roadkind[road] == MAGGI_ROAD_FLAT) {
@@ -275,8 +278,8 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
         h0_2d = z2d - based;
         h1_2 = 2.0 * f2 * (c2 - f2) / z2;
         h1_2d = (2.0 * f2d * (c2 - f2) + 2.0 * f2 * (c2d - f2d) - h1_2 * z2d) * (1.0 / z2);
-        a2 = 3.0 * h0_2 - h1_2;
-        a2d = 3.0 * h0_2d - h1_2d;
+        a = 3.0 * h0_2 - h1_2;
+        ad = 3.0 * h0_2d - h1_2d;
         t7 = z2 * z2 * z2;
         t7d = (z2d * z2 + z2 * z2d) * z2 + z2 * z2 * z2d;
         t8 = 2.0 * f2 * f2 * radius * radius / t7;
@@ -290,9 +293,9 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
         u2d = (c2d + f2d - yd - u2 * t9d) * (1.0 / t9);
         w2 = 1.0 - u2;
         w2d = -u2d;
-        b0 = u2 * u2 * u2 * (h0_2 + w2 * (a2 + w2 * b2));
-        b0d = ((u2d * u2 + u2 * u2d) * u2 + u2 * u2 * u2d) * (h0_2 + w2 * (a2 + w2 * b2)) + u2 * u2
-            * u2 * (h0_2d + (w2d * (a2 + w2 * b2) + w2 * (a2d + (w2d * b2 + w2 * b2d))));
+        b0 = u2 * u2 * u2 * (h0_2 + w2 * (a + w2 * b2));
+        b0d = ((u2d * u2 + u2 * u2d) * u2 + u2 * u2 * u2d) * (h0_2 + w2 * (a + w2 * b2)) + u2 * u2 *
+            u2 * (h0_2d + (w2d * (a + w2 * b2) + w2 * (ad + (w2d * b2 + w2 * b2d))));
       } else {
         t10 = radius * radius - y * y;
         t10d = radiusd * radius + radius * radiusd - (yd * y + y * yd);
@@ -346,8 +349,8 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
         p_roadk5d = pd[t->roadadr[road] + k5];
         h3_2 = p_roadk51 - p_roadk5;
         h3_2d = p_roadk51d - p_roadk5d;
-        a3 = p_roadk51 - x2;
-        a3d = p_roadk51d - x2d;
+        a2 = p_roadk51 - x2;
+        a2d = p_roadk51d - x2d;
         c3 = x2 - p_roadk5;
         c3d = x2d - p_roadk5d;
         p4 = p[t->roadadr[road] + t->roadn[road] + k5];
@@ -363,9 +366,9 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
             (spline0_roadk510d - spline0_roadk50d));
         t14 = 6.0 * h3_2;
         t14d = 6.0 * h3_2d;
-        t15 = (spline0_roadk50 * a3 * a3 * a3 + spline0_roadk510 * c3 * c3 * c3) / t14;
-        t15d = (((spline0_roadk50d * a3 + spline0_roadk50 * a3d) * a3 + spline0_roadk50 * a3 * a3d)
-            * a3 + spline0_roadk50 * a3 * a3 * a3d + (((spline0_roadk510d * c3 + spline0_roadk510 *
+        t15 = (spline0_roadk50 * a2 * a2 * a2 + spline0_roadk510 * c3 * c3 * c3) / t14;
+        t15d = (((spline0_roadk50d * a2 + spline0_roadk50 * a2d) * a2 + spline0_roadk50 * a2 * a2d)
+            * a2 + spline0_roadk50 * a2 * a2 * a2d + (((spline0_roadk510d * c3 + spline0_roadk510 *
             c3d) * c3 + spline0_roadk510 * c3 * c3d) * c3 + spline0_roadk510 * c3 * c3 * c3d) - t15
             * t14d) * (1.0 / t14);
         s20 = t15 + p4 - spline0_roadk50 * h3_2 * h3_2 / 6.0 + e * c3;
@@ -447,8 +450,8 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
         h0_3d = z3d - base2d;
         h1_3 = 2.0 * f3 * (c4 - f3) / z3;
         h1_3d = (2.0 * f3d * (c4 - f3) + 2.0 * f3 * (c4d - f3d) - h1_3 * z3d) * (1.0 / z3);
-        a4 = 3.0 * h0_3 - h1_3;
-        a4d = 3.0 * h0_3d - h1_3d;
+        a3 = 3.0 * h0_3 - h1_3;
+        a3d = 3.0 * h0_3d - h1_3d;
         t24 = z3 * z3 * z3;
         t24d = (z3d * z3 + z3 * z3d) * z3 + z3 * z3 * z3d;
         t25 = 2.0 * f3 * f3 * radius2 * radius2 / t24;
@@ -462,16 +465,16 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
         u3d = (c4d + f3d - y2d - u3 * t26d) * (1.0 / t26);
         w3 = 1.0 - u3;
         w3d = -u3d;
-        b30 = u3 * u3 * u3 * (h0_3 + w3 * (a4 + w3 * b4));
-        b30d = ((u3d * u3 + u3 * u3d) * u3 + u3 * u3 * u3d) * (h0_3 + w3 * (a4 + w3 * b4)) + u3 * u3
-            * u3 * (h0_3d + (w3d * (a4 + w3 * b4) + w3 * (a4d + (w3d * b4 + w3 * b4d))));
+        b30 = u3 * u3 * u3 * (h0_3 + w3 * (a3 + w3 * b4));
+        b30d = ((u3d * u3 + u3 * u3d) * u3 + u3 * u3 * u3d) * (h0_3 + w3 * (a3 + w3 * b4)) + u3 * u3
+            * u3 * (h0_3d + (w3d * (a3 + w3 * b4) + w3 * (a3d + (w3d * b4 + w3 * b4d))));
         t27 = 2.0 * f3;
         t27d = 2.0 * f3d;
-        t28 = -way2 * u3 * u3 * (3.0 * (h0_3 + w3 * (a4 + w3 * b4)) - u3 * (a4 + 2.0 * w3 * b4)) /
+        t28 = -way2 * u3 * u3 * (3.0 * (h0_3 + w3 * (a3 + w3 * b4)) - u3 * (a3 + 2.0 * w3 * b4)) /
             t27;
-        t28d = ((-(way2 * u3d * u3) + -way2 * u3 * u3d) * (3.0 * (h0_3 + w3 * (a4 + w3 * b4)) - u3 *
-            (a4 + 2.0 * w3 * b4)) + -way2 * u3 * u3 * (3.0 * (h0_3d + (w3d * (a4 + w3 * b4) + w3 *
-            (a4d + (w3d * b4 + w3 * b4d)))) - (u3d * (a4 + 2.0 * w3 * b4) + u3 * (a4d + (2.0 * w3d *
+        t28d = ((-(way2 * u3d * u3) + -way2 * u3 * u3d) * (3.0 * (h0_3 + w3 * (a3 + w3 * b4)) - u3 *
+            (a3 + 2.0 * w3 * b4)) + -way2 * u3 * u3 * (3.0 * (h0_3d + (w3d * (a3 + w3 * b4) + w3 *
+            (a3d + (w3d * b4 + w3 * b4d)))) - (u3d * (a3 + 2.0 * w3 * b4) + u3 * (a3d + (2.0 * w3d *
             b4 + 2.0 * w3 * b4d)))) - t28 * t27d) * (1.0 / t27);
         b31 = t28;
         b31d = t28d;
@@ -540,8 +543,8 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
         p_roadk8d = pd[t->roadadr[road] + k8];
         h2_3 = p_roadk81 - p_roadk8;
         h2_3d = p_roadk81d - p_roadk8d;
-        a5 = p_roadk81 - x;
-        a5d = p_roadk81d - xd;
+        a4 = p_roadk81 - x;
+        a4d = p_roadk81d - xd;
         c5 = x - p_roadk8;
         c5d = xd - p_roadk8d;
         p7 = p[t->roadadr[road] + t->roadn[road] + k8];
@@ -557,9 +560,9 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
             (spline0_roadk810d - spline0_roadk80d));
         t34 = 6.0 * h2_3;
         t34d = 6.0 * h2_3d;
-        t35 = (spline0_roadk80 * a5 * a5 * a5 + spline0_roadk810 * c5 * c5 * c5) / t34;
-        t35d = (((spline0_roadk80d * a5 + spline0_roadk80 * a5d) * a5 + spline0_roadk80 * a5 * a5d)
-            * a5 + spline0_roadk80 * a5 * a5 * a5d + (((spline0_roadk810d * c5 + spline0_roadk810 *
+        t35 = (spline0_roadk80 * a4 * a4 * a4 + spline0_roadk810 * c5 * c5 * c5) / t34;
+        t35d = (((spline0_roadk80d * a4 + spline0_roadk80 * a4d) * a4 + spline0_roadk80 * a4 * a4d)
+            * a4 + spline0_roadk80 * a4 * a4 * a4d + (((spline0_roadk810d * c5 + spline0_roadk810 *
             c5d) * c5 + spline0_roadk810 * c5 * c5d) * c5 + spline0_roadk810 * c5 * c5 * c5d) - t35
             * t34d) * (1.0 / t34);
         s30 = t35 + p7 - spline0_roadk80 * h2_3 * h2_3 / 6.0 + e2 * c5;
@@ -567,9 +570,9 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
             spline0_roadk80 * h2_3 * h2_3d) / 6.0 + (e2d * c5 + e2 * c5d);
         t36 = 2.0 * h2_3;
         t36d = 2.0 * h2_3d;
-        t37 = (spline0_roadk810 * c5 * c5 - spline0_roadk80 * a5 * a5) / t36;
+        t37 = (spline0_roadk810 * c5 * c5 - spline0_roadk80 * a4 * a4) / t36;
         t37d = ((spline0_roadk810d * c5 + spline0_roadk810 * c5d) * c5 + spline0_roadk810 * c5 * c5d
-            - ((spline0_roadk80d * a5 + spline0_roadk80 * a5d) * a5 + spline0_roadk80 * a5 * a5d) -
+            - ((spline0_roadk80d * a4 + spline0_roadk80 * a4d) * a4 + spline0_roadk80 * a4 * a4d) -
             t37 * t36d) * (1.0 / t36);
         s31 = t37 + e2;
         s31d = t37d + e2d;
@@ -662,20 +665,22 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
     vr1d = wr2d * arm0 + wr2 * arm0d - (wr0d * arm2 + wr0 * arm2d);
     vr2 = wr0 * arm1 - wr1 * arm0;
     vr2d = wr0d * arm1 + wr0 * arm1d - (wr1d * arm0 + wr1 * arm0d);
-    v0 = rv[point][0] + vr0;
-    v0d = rvd[point][0] + vr0d;
-    v1 = rv[point][1] + vr1;
-    v1d = rvd[point][1] + vr1d;
-    v2 = rv[point][2] + vr2;
-    v2d = rvd[point][2] + vr2d;
+    v0 = rv[t->wheelpoint[i]][0] + vr0;
+    v0d = rvd[t->wheelpoint[i]][0] + vr0d;
+    v1 = rv[t->wheelpoint[i]][1] + vr1;
+    v1d = rvd[t->wheelpoint[i]][1] + vr1d;
+    v2 = rv[t->wheelpoint[i]][2] + vr2;
+    v2d = rvd[t->wheelpoint[i]][2] + vr2d;
     vx = slip[i][MAGGI_SLIP_VX];
     vxd = slipd[i][MAGGI_SLIP_VX];
     rhov = (z3_2 * v0 - (v0 * N0 + v1 * N1 + v2 * N2)) / z2_2;
     rhovd = (z3_2d * v0 + z3_2 * v0d - (v0d * N0 + v0 * N0d + v1d * N1 + (v2d * N2 + v2 * N2d)) -
         rhov * z2_2d) * (1.0 / z2_2);
-    omega = (Z[a][3] - Z_i3) * u0 + (Z[a][4] - Z_i4) * u1 + (Z[a][5] - Z_i5) * u2_2;
-    omegad = (Zd[a][3] - Z_i3d) * u0 + (Z[a][3] - Z_i3) * u0d + ((Zd[a][4] - Z_i4d) * u1 + (Z[a][4]
-        - Z_i4) * u1d) + ((Zd[a][5] - Z_i5d) * u2_2 + (Z[a][5] - Z_i5) * u2_2d);
+    omega = (Z[t->wheelbody[i]][3] - Z_i3) * u0 + (Z[t->wheelbody[i]][4] - Z_i4) * u1 +
+        (Z[t->wheelbody[i]][5] - Z_i5) * u2_2;
+    omegad = (Zd[t->wheelbody[i]][3] - Z_i3d) * u0 + (Z[t->wheelbody[i]][3] - Z_i3) * u0d +
+        ((Zd[t->wheelbody[i]][4] - Z_i4d) * u1 + (Z[t->wheelbody[i]][4] - Z_i4) * u1d) +
+        ((Zd[t->wheelbody[i]][5] - Z_i5d) * u2_2 + (Z[t->wheelbody[i]][5] - Z_i5) * u2_2d);
     fz = slip[i][MAGGI_SLIP_FZ];
     fzd = slipd[i][MAGGI_SLIP_FZ];
     fz0 = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LFZO] * p[t->tyreadr[t->wheeltyre[i]]];
@@ -723,8 +728,8 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
     }
     speed = y3;
     speedd = y3d;
-    r30 = r[point][0] + arm0;
-    r30d = rd[point][0] + arm0d;
+    r30 = r[t->wheelpoint[i]][0] + arm0;
+    r30d = rd[t->wheelpoint[i]][0] + arm0d;
     f_i0 = f[i][0];
     f_i0d = fd[i][0];
     f_i1 = f[i][1];
@@ -733,12 +738,12 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
     f_i2d = fd[i][2];
     force30 = F[i][0];
     force30d = Fd[i][0];
-    r31 = r[point][1] + arm1;
-    r31d = rd[point][1] + arm1d;
+    r31 = r[t->wheelpoint[i]][1] + arm1;
+    r31d = rd[t->wheelpoint[i]][1] + arm1d;
     force31 = F[i][1];
     force31d = Fd[i][1];
-    r32 = r[point][2] + arm2;
-    r32d = rd[point][2] + arm2d;
+    r32 = r[t->wheelpoint[i]][2] + arm2;
+    r32d = rd[t->wheelpoint[i]][2] + arm2d;
     force32 = F[i][2];
     force32d = Fd[i][2];
     f_i3 = f[i][3];
@@ -853,8 +858,8 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
     f_i2bd = force32bd * N2 + force32b * N2d;
     N2b += force32b * f_i2;
     N2bd += force32bd * f_i2 + force32b * f_i2d;
-    rb[point][2] += r32b;
-    rbd[point][2] += r32bd;
+    rb[t->wheelpoint[i]][2] += r32b;
+    rbd[t->wheelpoint[i]][2] += r32bd;
     arm2b = r32b;
     arm2bd = r32bd;
     f_i0b += force31b * T1;
@@ -867,8 +872,8 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
     L1bd += force31bd * f_i1 + force31b * f_i1d;
     f_i2b += force31b * N1;
     f_i2bd += force31bd * N1;
-    rb[point][1] += r31b;
-    rbd[point][1] += r31bd;
+    rb[t->wheelpoint[i]][1] += r31b;
+    rbd[t->wheelpoint[i]][1] += r31bd;
     arm1b = r31b;
     arm1bd = r31bd;
     f_i0b += force30b * T0;
@@ -889,9 +894,9 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
     fbd[i][1] += f_i1bd;
     fb[i][0] += f_i0b;
     fbd[i][0] += f_i0bd;
-    rb[point][0] += r30b;
+    rb[t->wheelpoint[i]][0] += r30b;
     /* F: force f_x T + f_y L + f_z N at the contact point, with its moment, as one about P */
-    rbd[point][0] += r30bd;
+    rbd[t->wheelpoint[i]][0] += r30bd;
     arm0b = r30b;
     arm0bd = r30bd;
     fzb = 0.0;
@@ -899,6 +904,7 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
     if (MAGGI_RE(fz) > 0.0 && MAGGI_RE(z0) < MAGGI_RE(p[t->tyreadr[t->wheeltyre[i]] +
         MAGGI_TYRE_UNLOADED_RADIUS])) {
       if (t->wheelgrip[i]) {
+        side = t->wheelmirror[i] ? -1.0 : 1.0;
         one0 = slip[i][MAGGI_SLIP_KAPPA];
         one0d = slipd[i][MAGGI_SLIP_KAPPA];
         one1 = side * slip[i][MAGGI_SLIP_TAN_ALPHA];
@@ -911,8 +917,8 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
         one4d = slipd[i][MAGGI_SLIP_VX];
         kappa = one0;
         kappad = one0d;
-        a6 = one1;
-        a6d = one1d;
+        a5 = one1;
+        a5d = one1d;
         gamma = one2;
         gammad = one2d;
         fz2 = one3;
@@ -1034,10 +1040,10 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
         gy = gamma * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LGAY];
         gyd = gammad * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LGAY] + gamma *
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LGAY];
-        ay = a6 + (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHY1] + p[t->tyreadr[t->wheeltyre[i]]
+        ay = a5 + (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHY1] + p[t->tyreadr[t->wheeltyre[i]]
             + MAGGI_TYRE_PHY2] * dfz) * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LHY] +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHY3] * gy;
-        ayd = a6d + ((pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHY1] +
+        ayd = a5d + ((pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHY1] +
             (pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHY2] * dfz + p[t->tyreadr[t->wheeltyre[i]]
             + MAGGI_TYRE_PHY2] * dfzd)) * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LHY] +
             (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHY1] + p[t->tyreadr[t->wheeltyre[i]] +
@@ -1204,11 +1210,11 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
         g22d = y10d;
         g23 = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RHX1];
         g23d = pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RHX1];
-        x7 = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY2] * (a6 - p[t->tyreadr[t->wheeltyre[i]]
+        x7 = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY2] * (a5 - p[t->tyreadr[t->wheeltyre[i]]
             + MAGGI_TYRE_RBY3]);
-        x7d = pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY2] * (a6 -
+        x7d = pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY2] * (a5 -
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY3]) + p[t->tyreadr[t->wheeltyre[i]] +
-            MAGGI_TYRE_RBY2] * (a6d - pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY3]);
+            MAGGI_TYRE_RBY2] * (a5d - pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY3]);
         t53 = 1.0 + x7 * x7;
         t53d = x7d * x7 + x7 * x7d;
         t54 = sqrt(t53);
@@ -1240,9 +1246,9 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
             MAGGI_TYRE_RHY2] * dfz;
         g27d = pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RHY1] + (pd[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_RHY2] * dfz + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RHY2] * dfzd);
-        x8 = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY4] * a6;
-        x8d = pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY4] * a6 + p[t->tyreadr[t->wheeltyre[i]]
-            + MAGGI_TYRE_RVY4] * a6d;
+        x8 = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY4] * a5;
+        x8d = pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY4] * a5 + p[t->tyreadr[t->wheeltyre[i]]
+            + MAGGI_TYRE_RVY4] * a5d;
         t56 = 1.0 + x8 * x8;
         t56d = x8d * x8 + x8 * x8d;
         t57 = sqrt(t56);
@@ -1280,8 +1286,8 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
         t64d = (x53d - t64 * t63d) * (1.0 / t63);
         y12 = t64 * x54;
         y12d = t64d * x54 + t64 * x54d;
-        y13 = g20 * (a6 + g23);
-        y13d = g20d * (a6 + g23) + g20 * (a6d + g23d);
+        y13 = g20 * (a5 + g23);
+        y13d = g20d * (a5 + g23) + g20 * (a5d + g23d);
         y14 = g20 * g23;
         y14d = g20d * g23 + g20 * g23d;
         t65 = atan(y12);
@@ -1370,10 +1376,10 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
         gz = gamma * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LGAZ];
         gzd = gammad * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LGAZ] + gamma *
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LGAZ];
-        at = a6 + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QHZ1] + p[t->tyreadr[t->wheeltyre[i]] +
+        at = a5 + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QHZ1] + p[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_QHZ2] * dfz + (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QHZ3] +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QHZ4] * dfz) * gz;
-        atd = a6d + pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QHZ1] +
+        atd = a5d + pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QHZ1] +
             (pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QHZ2] * dfz + p[t->tyreadr[t->wheeltyre[i]]
             + MAGGI_TYRE_QHZ2] * dfzd) + ((pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QHZ3] +
             (pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QHZ4] * dfz + p[t->tyreadr[t->wheeltyre[i]]
@@ -1526,8 +1532,8 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
             MAGGI_TYRE_QDZ8] + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ9] * dfz) * gz) *
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_UNLOADED_RADIUS] *
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUY];
-        t107 = 1.0 + a6 * a6;
-        t107d = a6d * a6 + a6 * a6d;
+        t107 = 1.0 + a5 * a5;
+        t107d = a5d * a5 + a5 * a5d;
         t108 = sqrt(t107);
         t108d = 1.0 / (2.0 * t108) * t107d;
         ca = 1.0 / t108;
@@ -1923,10 +1929,10 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
         t107b = t108b * (1.0 / (2.0 * t108));
         t107bd = t108bd * (1.0 / (2.0 * t108)) - t108b * (1.0 / (2.0 * t108) * (2.0 * t108d) / (2.0
             * t108));
-        a6b = t107b * a6;
-        a6bd = t107bd * a6 + t107b * a6d;
-        a6b += t107b * a6;
-        a6bd += t107bd * a6 + t107b * a6d;
+        a5b = t107b * a5;
+        a5bd = t107bd * a5 + t107b * a5d;
+        a5b += t107b * a5;
+        a5bd += t107bd * a5 + t107b * a5d;
         tb182 = drb * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUY];
         tb182d = drbd * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUY] + drb *
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUY];
@@ -2383,8 +2389,8 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
         y45bd = tb159d;
         y43b -= tb159 * t99;
         y43bd -= tb159d * t99 + tb159 * t99d;
-        a6b += atb;
-        a6bd += atbd;
+        a5b += atb;
+        a5bd += atbd;
         pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QHZ1] += atb;
         pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QHZ1] += atbd;
         pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QHZ2] += atb * dfz;
@@ -2612,12 +2618,12 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
         g20bd = y14bd * g23 + y14b * g23d;
         g23b = y14b * g20;
         g23bd = y14bd * g20 + y14b * g20d;
-        g20b += y13b * (a6 + g23);
-        g20bd += y13bd * (a6 + g23) + y13b * (a6d + g23d);
+        g20b += y13b * (a5 + g23);
+        g20bd += y13bd * (a5 + g23) + y13b * (a5d + g23d);
         tb150 = y13b * g20;
         tb150d = y13bd * g20 + y13b * g20d;
-        a6b += tb150;
-        a6bd += tb150d;
+        a5b += tb150;
+        a5bd += tb150d;
         g23b += tb150;
         g23bd += tb150d;
         t64b = y12b * x54;
@@ -2707,10 +2713,10 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
         x8bd = t56bd * x8 + t56b * x8d;
         x8b += t56b * x8;
         x8bd += t56bd * x8 + t56b * x8d;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY4] += x8b * a6;
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY4] += x8bd * a6 + x8b * a6d;
-        a6b += x8b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY4];
-        a6bd += x8bd * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY4] + x8b *
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY4] += x8b * a5;
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY4] += x8bd * a5 + x8b * a5d;
+        a5b += x8b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY4];
+        a5bd += x8bd * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY4] + x8b *
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY4];
         pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RHY1] += g27b;
         pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RHY1] += g27bd;
@@ -2766,16 +2772,16 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
         x7bd = t53bd * x7 + t53b * x7d;
         x7b += t53b * x7;
         x7bd += t53bd * x7 + t53b * x7d;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY2] += x7b * (a6 -
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY2] += x7b * (a5 -
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY3]);
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY2] += x7bd * (a6 -
-            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY3]) + x7b * (a6d -
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY2] += x7bd * (a5 -
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY3]) + x7b * (a5d -
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY3]);
         tb142 = x7b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY2];
         tb142d = x7bd * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY2] + x7b *
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY2];
-        a6b += tb142;
-        a6bd += tb142d;
+        a5b += tb142;
+        a5bd += tb142d;
         pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY3] -= tb142;
         pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY3] -= tb142d;
         pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RHX1] += g23b;
@@ -3178,8 +3184,8 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
             ((pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY3] * gy + p[t->tyreadr[t->wheeltyre[i]]
             + MAGGI_TYRE_PDY3] * gyd) * gy + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY3] * gy *
             gyd));
-        a6b += ayb;
-        a6bd += aybd;
+        a5b += ayb;
+        a5bd += aybd;
         tb119 = ayb * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LHY];
         tb119d = aybd * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LHY] + ayb *
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LHY];
@@ -3495,8 +3501,8 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
         one3bd = fz2bd;
         one2b = gammab;
         one2bd = gammabd;
-        one1b = a6b;
-        one1bd = a6bd;
+        one1b = a5b;
+        one1bd = a5bd;
         one0b = kappab;
         one0bd = kappabd;
         slipb[i][MAGGI_SLIP_VX] += one4b;
@@ -3721,28 +3727,28 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
         pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_VERTICAL_DAMPING];
     tb91 = omegab * u0;
     tb91d = omegabd * u0 + omegab * u0d;
-    Zb[a][3] += tb91;
-    Zbd[a][3] += tb91d;
+    Zb[t->wheelbody[i]][3] += tb91;
+    Zbd[t->wheelbody[i]][3] += tb91d;
     Z_i3b = -tb91;
     Z_i3bd = -tb91d;
-    u0b = omegab * (Z[a][3] - Z_i3);
-    u0bd = omegabd * (Z[a][3] - Z_i3) + omegab * (Zd[a][3] - Z_i3d);
+    u0b = omegab * (Z[t->wheelbody[i]][3] - Z_i3);
+    u0bd = omegabd * (Z[t->wheelbody[i]][3] - Z_i3) + omegab * (Zd[t->wheelbody[i]][3] - Z_i3d);
     tb92 = omegab * u1;
     tb92d = omegabd * u1 + omegab * u1d;
-    Zb[a][4] += tb92;
-    Zbd[a][4] += tb92d;
+    Zb[t->wheelbody[i]][4] += tb92;
+    Zbd[t->wheelbody[i]][4] += tb92d;
     Z_i4b = -tb92;
     Z_i4bd = -tb92d;
-    u1b = omegab * (Z[a][4] - Z_i4);
-    u1bd = omegabd * (Z[a][4] - Z_i4) + omegab * (Zd[a][4] - Z_i4d);
+    u1b = omegab * (Z[t->wheelbody[i]][4] - Z_i4);
+    u1bd = omegabd * (Z[t->wheelbody[i]][4] - Z_i4) + omegab * (Zd[t->wheelbody[i]][4] - Z_i4d);
     tb93 = omegab * u2_2;
     tb93d = omegabd * u2_2 + omegab * u2_2d;
-    Zb[a][5] += tb93;
-    Zbd[a][5] += tb93d;
+    Zb[t->wheelbody[i]][5] += tb93;
+    Zbd[t->wheelbody[i]][5] += tb93d;
     Z_i5b = -tb93;
     Z_i5bd = -tb93d;
-    u2_2b = omegab * (Z[a][5] - Z_i5);
-    u2_2bd = omegabd * (Z[a][5] - Z_i5) + omegab * (Zd[a][5] - Z_i5d);
+    u2_2b = omegab * (Z[t->wheelbody[i]][5] - Z_i5);
+    u2_2bd = omegabd * (Z[t->wheelbody[i]][5] - Z_i5) + omegab * (Zd[t->wheelbody[i]][5] - Z_i5d);
     tb90 = rhovb / z2_2;
     tb90d = (rhovbd - tb90 * z2_2d) * (1.0 / z2_2);
     z3_2b = tb90 * v0;
@@ -3773,16 +3779,16 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
     v2bd += vxbd * T2 + vxb * T2d;
     T2b += vxb * v2;
     T2bd += vxbd * v2 + vxb * v2d;
-    rvb[point][2] += v2b;
-    rvbd[point][2] += v2bd;
+    rvb[t->wheelpoint[i]][2] += v2b;
+    rvbd[t->wheelpoint[i]][2] += v2bd;
     vr2b = v2b;
     vr2bd = v2bd;
-    rvb[point][1] += v1b;
-    rvbd[point][1] += v1bd;
+    rvb[t->wheelpoint[i]][1] += v1b;
+    rvbd[t->wheelpoint[i]][1] += v1bd;
     vr1b = v1b;
     vr1bd = v1bd;
-    rvb[point][0] += v0b;
-    rvbd[point][0] += v0bd;
+    rvb[t->wheelpoint[i]][0] += v0b;
+    rvbd[t->wheelpoint[i]][0] += v0bd;
     vr0b = v0b;
     vr0bd = v0bd;
     wr0b = vr2b * arm1;
@@ -4128,8 +4134,8 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
         h0_3d = z3d - base2d;
         h1_3 = 2.0 * f3 * (c4 - f3) / z3;
         h1_3d = (2.0 * f3d * (c4 - f3) + 2.0 * f3 * (c4d - f3d) - h1_3 * z3d) * (1.0 / z3);
-        a4 = 3.0 * h0_3 - h1_3;
-        a4d = 3.0 * h0_3d - h1_3d;
+        a3 = 3.0 * h0_3 - h1_3;
+        a3d = 3.0 * h0_3d - h1_3d;
         t24 = z3 * z3 * z3;
         t24d = (z3d * z3 + z3 * z3d) * z3 + z3 * z3 * z3d;
         t25 = 2.0 * f3 * f3 * radius2 * radius2 / t24;
@@ -4145,11 +4151,11 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
         w3d = -u3d;
         t27 = 2.0 * f3;
         t27d = 2.0 * f3d;
-        t28 = -way2 * u3 * u3 * (3.0 * (h0_3 + w3 * (a4 + w3 * b4)) - u3 * (a4 + 2.0 * w3 * b4)) /
+        t28 = -way2 * u3 * u3 * (3.0 * (h0_3 + w3 * (a3 + w3 * b4)) - u3 * (a3 + 2.0 * w3 * b4)) /
             t27;
-        t28d = ((-(way2 * u3d * u3) + -way2 * u3 * u3d) * (3.0 * (h0_3 + w3 * (a4 + w3 * b4)) - u3 *
-            (a4 + 2.0 * w3 * b4)) + -way2 * u3 * u3 * (3.0 * (h0_3d + (w3d * (a4 + w3 * b4) + w3 *
-            (a4d + (w3d * b4 + w3 * b4d)))) - (u3d * (a4 + 2.0 * w3 * b4) + u3 * (a4d + (2.0 * w3d *
+        t28d = ((-(way2 * u3d * u3) + -way2 * u3 * u3d) * (3.0 * (h0_3 + w3 * (a3 + w3 * b4)) - u3 *
+            (a3 + 2.0 * w3 * b4)) + -way2 * u3 * u3 * (3.0 * (h0_3d + (w3d * (a3 + w3 * b4) + w3 *
+            (a3d + (w3d * b4 + w3 * b4d)))) - (u3d * (a3 + 2.0 * w3 * b4) + u3 * (a3d + (2.0 * w3d *
             b4 + 2.0 * w3 * b4d)))) - t28 * t27d) * (1.0 / t27);
         t28b = b31b;
         t28bd = b31bd;
@@ -4157,10 +4163,10 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
         b31bd = 0.0;
         tb51 = t28b / t27;
         tb51d = (t28bd - tb51 * t27d) * (1.0 / t27);
-        tb52 = tb51 * (3.0 * (h0_3 + w3 * (a4 + w3 * b4)) - u3 * (a4 + 2.0 * w3 * b4));
-        tb52d = tb51d * (3.0 * (h0_3 + w3 * (a4 + w3 * b4)) - u3 * (a4 + 2.0 * w3 * b4)) + tb51 *
-            (3.0 * (h0_3d + (w3d * (a4 + w3 * b4) + w3 * (a4d + (w3d * b4 + w3 * b4d)))) - (u3d *
-            (a4 + 2.0 * w3 * b4) + u3 * (a4d + (2.0 * w3d * b4 + 2.0 * w3 * b4d))));
+        tb52 = tb51 * (3.0 * (h0_3 + w3 * (a3 + w3 * b4)) - u3 * (a3 + 2.0 * w3 * b4));
+        tb52d = tb51d * (3.0 * (h0_3 + w3 * (a3 + w3 * b4)) - u3 * (a3 + 2.0 * w3 * b4)) + tb51 *
+            (3.0 * (h0_3d + (w3d * (a3 + w3 * b4) + w3 * (a3d + (w3d * b4 + w3 * b4d)))) - (u3d *
+            (a3 + 2.0 * w3 * b4) + u3 * (a3d + (2.0 * w3d * b4 + 2.0 * w3 * b4d))));
         u3b = -(tb52 * u3 * way2);
         u3bd = -((tb52d * u3 + tb52 * u3d) * way2);
         u3b += tb52 * (-way2 * u3);
@@ -4171,22 +4177,22 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
         tb54d = tb53d * 3.0;
         h0_3b = tb54;
         h0_3bd = tb54d;
-        w3b = tb54 * (a4 + w3 * b4);
-        w3bd = tb54d * (a4 + w3 * b4) + tb54 * (a4d + (w3d * b4 + w3 * b4d));
+        w3b = tb54 * (a3 + w3 * b4);
+        w3bd = tb54d * (a3 + w3 * b4) + tb54 * (a3d + (w3d * b4 + w3 * b4d));
         tb55 = tb54 * w3;
         tb55d = tb54d * w3 + tb54 * w3d;
-        a4b = tb55;
-        a4bd = tb55d;
+        a3b = tb55;
+        a3bd = tb55d;
         w3b += tb55 * b4;
         w3bd += tb55d * b4 + tb55 * b4d;
         b4b = tb55 * w3;
         b4bd = tb55d * w3 + tb55 * w3d;
-        u3b -= tb53 * (a4 + 2.0 * w3 * b4);
-        u3bd -= tb53d * (a4 + 2.0 * w3 * b4) + tb53 * (a4d + (2.0 * w3d * b4 + 2.0 * w3 * b4d));
+        u3b -= tb53 * (a3 + 2.0 * w3 * b4);
+        u3bd -= tb53d * (a3 + 2.0 * w3 * b4) + tb53 * (a3d + (2.0 * w3d * b4 + 2.0 * w3 * b4d));
         tb56 = tb53 * u3;
         tb56d = tb53d * u3 + tb53 * u3d;
-        a4b -= tb56;
-        a4bd -= tb56d;
+        a3b -= tb56;
+        a3bd -= tb56d;
         w3b -= tb56 * b4 * 2.0;
         w3bd -= (tb56d * b4 + tb56 * b4d) * 2.0;
         b4b -= tb56 * (2.0 * w3);
@@ -4195,9 +4201,9 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
         t27bd = -(tb51d * t28 + tb51 * t28d);
         f3b += t27b * 2.0;
         f3bd += t27bd * 2.0;
-        tb47 = b30b * (h0_3 + w3 * (a4 + w3 * b4));
-        tb47d = b30bd * (h0_3 + w3 * (a4 + w3 * b4)) + b30b * (h0_3d + (w3d * (a4 + w3 * b4) + w3 *
-            (a4d + (w3d * b4 + w3 * b4d))));
+        tb47 = b30b * (h0_3 + w3 * (a3 + w3 * b4));
+        tb47d = b30bd * (h0_3 + w3 * (a3 + w3 * b4)) + b30b * (h0_3d + (w3d * (a3 + w3 * b4) + w3 *
+            (a3d + (w3d * b4 + w3 * b4d))));
         tb48 = tb47 * u3;
         tb48d = tb47d * u3 + tb47 * u3d;
         u3b += tb48 * u3;
@@ -4210,12 +4216,12 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
         tb49d = b30bd * (u3 * u3 * u3) + b30b * ((u3d * u3 + u3 * u3d) * u3 + u3 * u3 * u3d);
         h0_3b += tb49;
         h0_3bd += tb49d;
-        w3b += tb49 * (a4 + w3 * b4);
-        w3bd += tb49d * (a4 + w3 * b4) + tb49 * (a4d + (w3d * b4 + w3 * b4d));
+        w3b += tb49 * (a3 + w3 * b4);
+        w3bd += tb49d * (a3 + w3 * b4) + tb49 * (a3d + (w3d * b4 + w3 * b4d));
         tb50 = tb49 * w3;
         tb50d = tb49d * w3 + tb49 * w3d;
-        a4b += tb50;
-        a4bd += tb50d;
+        a3b += tb50;
+        a3bd += tb50d;
         w3b += tb50 * b4;
         w3bd += tb50d * b4 + tb50 * b4d;
         b4b += tb50 * w3;
@@ -4267,10 +4273,10 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
         z3bd += tb42d * z3 + tb42 * z3d;
         z3b += t24b * (z3 * z3);
         z3bd += t24bd * (z3 * z3) + t24b * (z3d * z3 + z3 * z3d);
-        h0_3b += a4b * 3.0;
-        h0_3bd += a4bd * 3.0;
-        h1_3b -= a4b;
-        h1_3bd -= a4bd;
+        h0_3b += a3b * 3.0;
+        h0_3bd += a3bd * 3.0;
+        h1_3b -= a3b;
+        h1_3bd -= a3bd;
         tb40 = h1_3b / z3;
         tb40d = (h1_3bd - tb40 * z3d) * (1.0 / z3);
         f3b += tb40 * (c4 - f3) * 2.0;
@@ -4509,8 +4515,8 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
         p_roadk8d = pd[t->roadadr[road] + k8];
         h2_3 = p_roadk81 - p_roadk8;
         h2_3d = p_roadk81d - p_roadk8d;
-        a5 = p_roadk81 - x;
-        a5d = p_roadk81d - xd;
+        a4 = p_roadk81 - x;
+        a4d = p_roadk81d - xd;
         c5 = x - p_roadk8;
         c5d = xd - p_roadk8d;
         p7 = p[t->roadadr[road] + t->roadn[road] + k8];
@@ -4526,16 +4532,16 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
             (spline0_roadk810d - spline0_roadk80d));
         t34 = 6.0 * h2_3;
         t34d = 6.0 * h2_3d;
-        t35 = (spline0_roadk80 * a5 * a5 * a5 + spline0_roadk810 * c5 * c5 * c5) / t34;
-        t35d = (((spline0_roadk80d * a5 + spline0_roadk80 * a5d) * a5 + spline0_roadk80 * a5 * a5d)
-            * a5 + spline0_roadk80 * a5 * a5 * a5d + (((spline0_roadk810d * c5 + spline0_roadk810 *
+        t35 = (spline0_roadk80 * a4 * a4 * a4 + spline0_roadk810 * c5 * c5 * c5) / t34;
+        t35d = (((spline0_roadk80d * a4 + spline0_roadk80 * a4d) * a4 + spline0_roadk80 * a4 * a4d)
+            * a4 + spline0_roadk80 * a4 * a4 * a4d + (((spline0_roadk810d * c5 + spline0_roadk810 *
             c5d) * c5 + spline0_roadk810 * c5 * c5d) * c5 + spline0_roadk810 * c5 * c5 * c5d) - t35
             * t34d) * (1.0 / t34);
         t36 = 2.0 * h2_3;
         t36d = 2.0 * h2_3d;
-        t37 = (spline0_roadk810 * c5 * c5 - spline0_roadk80 * a5 * a5) / t36;
+        t37 = (spline0_roadk810 * c5 * c5 - spline0_roadk80 * a4 * a4) / t36;
         t37d = ((spline0_roadk810d * c5 + spline0_roadk810 * c5d) * c5 + spline0_roadk810 * c5 * c5d
-            - ((spline0_roadk80d * a5 + spline0_roadk80 * a5d) * a5 + spline0_roadk80 * a5 * a5d) -
+            - ((spline0_roadk80d * a4 + spline0_roadk80 * a4d) * a4 + spline0_roadk80 * a4 * a4d) -
             t37 * t36d) * (1.0 / t36);
         t37b = s31b;
         t37bd = s31bd;
@@ -4554,15 +4560,15 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
         c5b += tb73 * (spline0_roadk810 * c5);
         c5bd += tb73d * (spline0_roadk810 * c5) + tb73 * (spline0_roadk810d * c5 + spline0_roadk810
             * c5d);
-        tb75 = tb73 * a5;
-        tb75d = tb73d * a5 + tb73 * a5d;
-        spline0_roadk80b = -(tb75 * a5);
-        spline0_roadk80bd = -(tb75d * a5 + tb75 * a5d);
-        a5b = -(tb75 * spline0_roadk80);
-        a5bd = -(tb75d * spline0_roadk80 + tb75 * spline0_roadk80d);
-        a5b -= tb73 * (spline0_roadk80 * a5);
-        a5bd -= tb73d * (spline0_roadk80 * a5) + tb73 * (spline0_roadk80d * a5 + spline0_roadk80 *
-            a5d);
+        tb75 = tb73 * a4;
+        tb75d = tb73d * a4 + tb73 * a4d;
+        spline0_roadk80b = -(tb75 * a4);
+        spline0_roadk80bd = -(tb75d * a4 + tb75 * a4d);
+        a4b = -(tb75 * spline0_roadk80);
+        a4bd = -(tb75d * spline0_roadk80 + tb75 * spline0_roadk80d);
+        a4b -= tb73 * (spline0_roadk80 * a4);
+        a4bd -= tb73d * (spline0_roadk80 * a4) + tb73 * (spline0_roadk80d * a4 + spline0_roadk80 *
+            a4d);
         t36b = -(tb73 * t37);
         t36bd = -(tb73d * t37 + tb73 * t37d);
         h2_3b = t36b * 2.0;
@@ -4590,20 +4596,20 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
         s30bd = 0.0;
         tb66 = t35b / t34;
         tb66d = (t35bd - tb66 * t34d) * (1.0 / t34);
-        tb67 = tb66 * a5;
-        tb67d = tb66d * a5 + tb66 * a5d;
-        tb68 = tb67 * a5;
-        tb68d = tb67d * a5 + tb67 * a5d;
-        spline0_roadk80b += tb68 * a5;
-        spline0_roadk80bd += tb68d * a5 + tb68 * a5d;
-        a5b += tb68 * spline0_roadk80;
-        a5bd += tb68d * spline0_roadk80 + tb68 * spline0_roadk80d;
-        a5b += tb67 * (spline0_roadk80 * a5);
-        a5bd += tb67d * (spline0_roadk80 * a5) + tb67 * (spline0_roadk80d * a5 + spline0_roadk80 *
-            a5d);
-        a5b += tb66 * (spline0_roadk80 * a5 * a5);
-        a5bd += tb66d * (spline0_roadk80 * a5 * a5) + tb66 * ((spline0_roadk80d * a5 +
-            spline0_roadk80 * a5d) * a5 + spline0_roadk80 * a5 * a5d);
+        tb67 = tb66 * a4;
+        tb67d = tb66d * a4 + tb66 * a4d;
+        tb68 = tb67 * a4;
+        tb68d = tb67d * a4 + tb67 * a4d;
+        spline0_roadk80b += tb68 * a4;
+        spline0_roadk80bd += tb68d * a4 + tb68 * a4d;
+        a4b += tb68 * spline0_roadk80;
+        a4bd += tb68d * spline0_roadk80 + tb68 * spline0_roadk80d;
+        a4b += tb67 * (spline0_roadk80 * a4);
+        a4bd += tb67d * (spline0_roadk80 * a4) + tb67 * (spline0_roadk80d * a4 + spline0_roadk80 *
+            a4d);
+        a4b += tb66 * (spline0_roadk80 * a4 * a4);
+        a4bd += tb66d * (spline0_roadk80 * a4 * a4) + tb66 * ((spline0_roadk80d * a4 +
+            spline0_roadk80 * a4d) * a4 + spline0_roadk80 * a4 * a4d);
         tb69 = tb66 * c5;
         tb69d = tb66d * c5 + tb66 * c5d;
         tb70 = tb69 * c5;
@@ -4651,10 +4657,10 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
         xbd += c5bd;
         p_roadk8b = -c5b;
         p_roadk8bd = -c5bd;
-        p_roadk81b = a5b;
-        p_roadk81bd = a5bd;
-        xb -= a5b;
-        xbd -= a5bd;
+        p_roadk81b = a4b;
+        p_roadk81bd = a4bd;
+        xb -= a4b;
+        xbd -= a4bd;
         p_roadk81b += h2_3b;
         p_roadk81bd += h2_3bd;
         p_roadk8b -= h2_3b;
@@ -4781,8 +4787,8 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
         h0_2d = z2d - based;
         h1_2 = 2.0 * f2 * (c2 - f2) / z2;
         h1_2d = (2.0 * f2d * (c2 - f2) + 2.0 * f2 * (c2d - f2d) - h1_2 * z2d) * (1.0 / z2);
-        a2 = 3.0 * h0_2 - h1_2;
-        a2d = 3.0 * h0_2d - h1_2d;
+        a = 3.0 * h0_2 - h1_2;
+        ad = 3.0 * h0_2d - h1_2d;
         t7 = z2 * z2 * z2;
         t7d = (z2d * z2 + z2 * z2d) * z2 + z2 * z2 * z2d;
         t8 = 2.0 * f2 * f2 * radius * radius / t7;
@@ -4796,9 +4802,9 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
         u2d = (c2d + f2d - yd - u2 * t9d) * (1.0 / t9);
         w2 = 1.0 - u2;
         w2d = -u2d;
-        tb15 = b0b * (h0_2 + w2 * (a2 + w2 * b2));
-        tb15d = b0bd * (h0_2 + w2 * (a2 + w2 * b2)) + b0b * (h0_2d + (w2d * (a2 + w2 * b2) + w2 *
-            (a2d + (w2d * b2 + w2 * b2d))));
+        tb15 = b0b * (h0_2 + w2 * (a + w2 * b2));
+        tb15d = b0bd * (h0_2 + w2 * (a + w2 * b2)) + b0b * (h0_2d + (w2d * (a + w2 * b2) + w2 * (ad
+            + (w2d * b2 + w2 * b2d))));
         tb16 = tb15 * u2;
         tb16d = tb15d * u2 + tb15 * u2d;
         u2b = tb16 * u2;
@@ -4811,12 +4817,12 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
         tb17d = b0bd * (u2 * u2 * u2) + b0b * ((u2d * u2 + u2 * u2d) * u2 + u2 * u2 * u2d);
         h0_2b = tb17;
         h0_2bd = tb17d;
-        w2b = tb17 * (a2 + w2 * b2);
-        w2bd = tb17d * (a2 + w2 * b2) + tb17 * (a2d + (w2d * b2 + w2 * b2d));
+        w2b = tb17 * (a + w2 * b2);
+        w2bd = tb17d * (a + w2 * b2) + tb17 * (ad + (w2d * b2 + w2 * b2d));
         tb18 = tb17 * w2;
         tb18d = tb17d * w2 + tb17 * w2d;
-        a2b = tb18;
-        a2bd = tb18d;
+        ab = tb18;
+        abd = tb18d;
         w2b += tb18 * b2;
         w2bd += tb18d * b2 + tb18 * b2d;
         b2b = tb18 * w2;
@@ -4868,10 +4874,10 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
         z2bd += tb10d * z2 + tb10 * z2d;
         z2b += t7b * (z2 * z2);
         z2bd += t7bd * (z2 * z2) + t7b * (z2d * z2 + z2 * z2d);
-        h0_2b += a2b * 3.0;
-        h0_2bd += a2bd * 3.0;
-        h1_2b -= a2b;
-        h1_2bd -= a2bd;
+        h0_2b += ab * 3.0;
+        h0_2bd += abd * 3.0;
+        h1_2b -= ab;
+        h1_2bd -= abd;
         tb8 = h1_2b / z2;
         tb8d = (h1_2bd - tb8 * z2d) * (1.0 / z2);
         f2b += tb8 * (c2 - f2) * 2.0;
@@ -5084,8 +5090,8 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
         p_roadk5d = pd[t->roadadr[road] + k5];
         h3_2 = p_roadk51 - p_roadk5;
         h3_2d = p_roadk51d - p_roadk5d;
-        a3 = p_roadk51 - x2;
-        a3d = p_roadk51d - x2d;
+        a2 = p_roadk51 - x2;
+        a2d = p_roadk51d - x2d;
         c3 = x2 - p_roadk5;
         c3d = x2d - p_roadk5d;
         p4 = p[t->roadadr[road] + t->roadn[road] + k5];
@@ -5101,9 +5107,9 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
             (spline0_roadk510d - spline0_roadk50d));
         t14 = 6.0 * h3_2;
         t14d = 6.0 * h3_2d;
-        t15 = (spline0_roadk50 * a3 * a3 * a3 + spline0_roadk510 * c3 * c3 * c3) / t14;
-        t15d = (((spline0_roadk50d * a3 + spline0_roadk50 * a3d) * a3 + spline0_roadk50 * a3 * a3d)
-            * a3 + spline0_roadk50 * a3 * a3 * a3d + (((spline0_roadk510d * c3 + spline0_roadk510 *
+        t15 = (spline0_roadk50 * a2 * a2 * a2 + spline0_roadk510 * c3 * c3 * c3) / t14;
+        t15d = (((spline0_roadk50d * a2 + spline0_roadk50 * a2d) * a2 + spline0_roadk50 * a2 * a2d)
+            * a2 + spline0_roadk50 * a2 * a2 * a2d + (((spline0_roadk510d * c3 + spline0_roadk510 *
             c3d) * c3 + spline0_roadk510 * c3 * c3d) * c3 + spline0_roadk510 * c3 * c3 * c3d) - t15
             * t14d) * (1.0 / t14);
         t15b = s20b;
@@ -5129,20 +5135,20 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
         s20bd = 0.0;
         tb27 = t15b / t14;
         tb27d = (t15bd - tb27 * t14d) * (1.0 / t14);
-        tb28 = tb27 * a3;
-        tb28d = tb27d * a3 + tb27 * a3d;
-        tb29 = tb28 * a3;
-        tb29d = tb28d * a3 + tb28 * a3d;
-        spline0_roadk50b += tb29 * a3;
-        spline0_roadk50bd += tb29d * a3 + tb29 * a3d;
-        a3b = tb29 * spline0_roadk50;
-        a3bd = tb29d * spline0_roadk50 + tb29 * spline0_roadk50d;
-        a3b += tb28 * (spline0_roadk50 * a3);
-        a3bd += tb28d * (spline0_roadk50 * a3) + tb28 * (spline0_roadk50d * a3 + spline0_roadk50 *
-            a3d);
-        a3b += tb27 * (spline0_roadk50 * a3 * a3);
-        a3bd += tb27d * (spline0_roadk50 * a3 * a3) + tb27 * ((spline0_roadk50d * a3 +
-            spline0_roadk50 * a3d) * a3 + spline0_roadk50 * a3 * a3d);
+        tb28 = tb27 * a2;
+        tb28d = tb27d * a2 + tb27 * a2d;
+        tb29 = tb28 * a2;
+        tb29d = tb28d * a2 + tb28 * a2d;
+        spline0_roadk50b += tb29 * a2;
+        spline0_roadk50bd += tb29d * a2 + tb29 * a2d;
+        a2b = tb29 * spline0_roadk50;
+        a2bd = tb29d * spline0_roadk50 + tb29 * spline0_roadk50d;
+        a2b += tb28 * (spline0_roadk50 * a2);
+        a2bd += tb28d * (spline0_roadk50 * a2) + tb28 * (spline0_roadk50d * a2 + spline0_roadk50 *
+            a2d);
+        a2b += tb27 * (spline0_roadk50 * a2 * a2);
+        a2bd += tb27d * (spline0_roadk50 * a2 * a2) + tb27 * ((spline0_roadk50d * a2 +
+            spline0_roadk50 * a2d) * a2 + spline0_roadk50 * a2 * a2d);
         tb30 = tb27 * c3;
         tb30d = tb27d * c3 + tb27 * c3d;
         tb31 = tb30 * c3;
@@ -5190,10 +5196,10 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
         x2bd += c3bd;
         p_roadk5b = -c3b;
         p_roadk5bd = -c3bd;
-        p_roadk51b = a3b;
-        p_roadk51bd = a3bd;
-        x2b -= a3b;
-        x2bd -= a3bd;
+        p_roadk51b = a2b;
+        p_roadk51bd = a2bd;
+        x2b -= a2b;
+        x2bd -= a2bd;
         p_roadk51b += h3_2b;
         p_roadk51bd += h3_2bd;
         p_roadk5b -= h3_2b;
@@ -5210,12 +5216,12 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
      *   e = (u.n u - n) / |u × n|,  r = (c - q).n / |u × n|,  T = u × n / |u × n|,  L = n × T
      * g: centre c from the point of the road.  arm: r e; z: r, u.n, |u × n|, slope that the plane lacks */
     g0bd += x2bd;
-    rb[point][2] += g2_2b;
-    rbd[point][2] += g2_2bd;
+    rb[t->wheelpoint[i]][2] += g2_2b;
+    rbd[t->wheelpoint[i]][2] += g2_2bd;
     rb[t->roadpoint[road]][2] -= g2_2b;
     rbd[t->roadpoint[road]][2] -= g2_2bd;
-    rb[point][0] += g0b;
-    rbd[point][0] += g0bd;
+    rb[t->wheelpoint[i]][0] += g0b;
+    rbd[t->wheelpoint[i]][0] += g0bd;
     rb[t->roadpoint[road]][0] -= g0b;
     rbd[t->roadpoint[road]][0] -= g0bd;
     tb4 = u2_2b / n2;
@@ -5250,42 +5256,2277 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
     ua2bd += t2bd * ua2 + t2b * ua2d;
     ua2b += t2b * ua2;
     ua2bd += t2bd * ua2 + t2b * ua2d;
-    Ab[a][6] += ua2b * axis0;
-    Abd[a][6] += ua2bd * axis0 + ua2b * axis0d;
-    axis0b = ua2b * A[a][6];
-    axis0bd = ua2bd * A[a][6] + ua2b * Ad[a][6];
-    Ab[a][7] += ua2b * axis1;
-    Abd[a][7] += ua2bd * axis1 + ua2b * axis1d;
-    axis1b = ua2b * A[a][7];
-    axis1bd = ua2bd * A[a][7] + ua2b * Ad[a][7];
-    Ab[a][8] += ua2b * axis2;
-    Abd[a][8] += ua2bd * axis2 + ua2b * axis2d;
-    axis2b = ua2b * A[a][8];
-    axis2bd = ua2bd * A[a][8] + ua2b * Ad[a][8];
-    Ab[a][3] += ua1b * axis0;
-    Abd[a][3] += ua1bd * axis0 + ua1b * axis0d;
-    axis0b += ua1b * A[a][3];
-    axis0bd += ua1bd * A[a][3] + ua1b * Ad[a][3];
-    Ab[a][4] += ua1b * axis1;
-    Abd[a][4] += ua1bd * axis1 + ua1b * axis1d;
-    axis1b += ua1b * A[a][4];
-    axis1bd += ua1bd * A[a][4] + ua1b * Ad[a][4];
-    Ab[a][5] += ua1b * axis2;
-    Abd[a][5] += ua1bd * axis2 + ua1b * axis2d;
-    axis2b += ua1b * A[a][5];
-    axis2bd += ua1bd * A[a][5] + ua1b * Ad[a][5];
-    Ab[a][0] += ua0b * axis0;
-    Abd[a][0] += ua0bd * axis0 + ua0b * axis0d;
-    axis0b += ua0b * A[a][0];
-    axis0bd += ua0bd * A[a][0] + ua0b * Ad[a][0];
-    Ab[a][1] += ua0b * axis1;
-    Abd[a][1] += ua0bd * axis1 + ua0b * axis1d;
-    axis1b += ua0b * A[a][1];
-    axis1bd += ua0bd * A[a][1] + ua0b * Ad[a][1];
-    Ab[a][2] += ua0b * axis2;
-    Abd[a][2] += ua0bd * axis2 + ua0b * axis2d;
-    axis2b += ua0b * A[a][2];
-    axis2bd += ua0bd * A[a][2] + ua0b * Ad[a][2];
+    Ab[t->wheelbody[i]][6] += ua2b * axis0;
+    Abd[t->wheelbody[i]][6] += ua2bd * axis0 + ua2b * axis0d;
+    axis0b = ua2b * A[t->wheelbody[i]][6];
+    axis0bd = ua2bd * A[t->wheelbody[i]][6] + ua2b * Ad[t->wheelbody[i]][6];
+    Ab[t->wheelbody[i]][7] += ua2b * axis1;
+    Abd[t->wheelbody[i]][7] += ua2bd * axis1 + ua2b * axis1d;
+    axis1b = ua2b * A[t->wheelbody[i]][7];
+    axis1bd = ua2bd * A[t->wheelbody[i]][7] + ua2b * Ad[t->wheelbody[i]][7];
+    Ab[t->wheelbody[i]][8] += ua2b * axis2;
+    Abd[t->wheelbody[i]][8] += ua2bd * axis2 + ua2b * axis2d;
+    axis2b = ua2b * A[t->wheelbody[i]][8];
+    axis2bd = ua2bd * A[t->wheelbody[i]][8] + ua2b * Ad[t->wheelbody[i]][8];
+    Ab[t->wheelbody[i]][3] += ua1b * axis0;
+    Abd[t->wheelbody[i]][3] += ua1bd * axis0 + ua1b * axis0d;
+    axis0b += ua1b * A[t->wheelbody[i]][3];
+    axis0bd += ua1bd * A[t->wheelbody[i]][3] + ua1b * Ad[t->wheelbody[i]][3];
+    Ab[t->wheelbody[i]][4] += ua1b * axis1;
+    Abd[t->wheelbody[i]][4] += ua1bd * axis1 + ua1b * axis1d;
+    axis1b += ua1b * A[t->wheelbody[i]][4];
+    axis1bd += ua1bd * A[t->wheelbody[i]][4] + ua1b * Ad[t->wheelbody[i]][4];
+    Ab[t->wheelbody[i]][5] += ua1b * axis2;
+    Abd[t->wheelbody[i]][5] += ua1bd * axis2 + ua1b * axis2d;
+    axis2b += ua1b * A[t->wheelbody[i]][5];
+    axis2bd += ua1bd * A[t->wheelbody[i]][5] + ua1b * Ad[t->wheelbody[i]][5];
+    Ab[t->wheelbody[i]][0] += ua0b * axis0;
+    Abd[t->wheelbody[i]][0] += ua0bd * axis0 + ua0b * axis0d;
+    axis0b += ua0b * A[t->wheelbody[i]][0];
+    axis0bd += ua0bd * A[t->wheelbody[i]][0] + ua0b * Ad[t->wheelbody[i]][0];
+    Ab[t->wheelbody[i]][1] += ua0b * axis1;
+    Abd[t->wheelbody[i]][1] += ua0bd * axis1 + ua0b * axis1d;
+    axis1b += ua0b * A[t->wheelbody[i]][1];
+    axis1bd += ua0bd * A[t->wheelbody[i]][1] + ua0b * Ad[t->wheelbody[i]][1];
+    Ab[t->wheelbody[i]][2] += ua0b * axis2;
+    Abd[t->wheelbody[i]][2] += ua0bd * axis2 + ua0b * axis2d;
+    axis2b += ua0b * A[t->wheelbody[i]][2];
+    axis2bd += ua0bd * A[t->wheelbody[i]][2] + ua0b * Ad[t->wheelbody[i]][2];
+    pb[t->wheelaxis[i] + 2] += axis2b;
+    pbd[t->wheelaxis[i] + 2] += axis2bd;
+    pb[t->wheelaxis[i] + 1] += axis1b;
+    pbd[t->wheelaxis[i] + 1] += axis1bd;
+    pb[t->wheelaxis[i]] += axis0b;
+    pbd[t->wheelaxis[i]] += axis0bd;
+  }
+}
+
+/* Rates of the coordinates on which wheels turn at which they roll freely, kappa = 0: with V the velocity of
+ * the contact point on the carrier and w the velocity of the wheel by its coordinate
+ *   v = V.t / (Re w.u) */
+void maggi_rolling_b_d(const maggi_topo *t, const double p[restrict t->np],
+                       const double pd[restrict t->np], double pb[restrict t->np],
+                       double pbd[restrict t->np], const double spline0[restrict t->nspline][3],
+                       const double spline0d[restrict t->nspline][3],
+                       double spline0b[restrict t->nspline][3],
+                       double spline0bd[restrict t->nspline][3],
+                       const double A[restrict t->nbody + 1][9],
+                       const double Ad[restrict t->nbody + 1][9],
+                       double Ab[restrict t->nbody + 1][9], double Abd[restrict t->nbody + 1][9],
+                       const double b[restrict t->nbody][6], const double bd[restrict t->nbody][6],
+                       double bb[restrict t->nbody][6], double bbd[restrict t->nbody][6],
+                       const double r[restrict t->npoint][3],
+                       const double rd[restrict t->npoint][3], double rb[restrict t->npoint][3],
+                       double rbd[restrict t->npoint][3], const double Z[restrict t->nbody + 1][6],
+                       const double Zd[restrict t->nbody + 1][6],
+                       double Zb[restrict t->nbody + 1][6], double Zbd[restrict t->nbody + 1][6],
+                       double spin[restrict t->nwheel], double spind[restrict t->nwheel],
+                       double spinb[restrict t->nwheel], double spinbd[restrict t->nwheel])
+{
+  int adr, body, carrier, i, k4, k6, k7, k9, road;
+  double N0, N0b, N0bd, N0d, N1, N2, N2b, N2bd, N2d, T0, T0b, T0bd, T0d, T1, T1b, T1bd, T1d, T2,
+      T2b, T2bd, T2d, a, a2, a2b, a2bd, a2d, a3, a3b, a3bd, a3d, a4, a4b, a4bd, a4d, ab, abd, ad,
+      along0, along0b, along0bd, along0d, along1, along1b, along1bd, along1d, along2, along2b,
+      along2bd, along2d, arm0, arm0b, arm0bd, arm0d, arm1, arm1b, arm1bd, arm1d, arm2, arm2b,
+      arm2bd, arm2d, axis0, axis0b, axis0bd, axis0d, axis1, axis1b, axis1bd, axis1d, axis2, axis2b,
+      axis2bd, axis2d, b20, b20b, b20bd, b20d, b3, b3b, b3bd, b3d, b40, b40b, b40bd, b40d, b41,
+      b41b, b41bd, b41d, b5, b5b, b5bd, b5d, base, base2, base2b, base2bd, base2d, baseb, basebd,
+      based, c0, c0b, c0bd, c0d, c1, c1b, c1bd, c1d, c2, c2_2, c2_2b, c2_2bd, c2_2d, c2b, c2bd, c2d,
+      c3, c3b, c3bd, c3d, c4, c4b, c4bd, c4d, c5, c5b, c5bd, c5d, c6, c6b, c6bd, c6d, e, e2, e2b,
+      e2bd, e2d, eb, ebd, ed, f, f2, f2b, f2bd, f2d, fb, fbd, fd, fz, fz0, fz0b, fz0bd, fz0d, fzb,
+      fzbd, fzd, g0, g0b, g0bd, g0d, g2, g2b, g2bd, g2d, h, h00, h00b, h00bd, h00d, h0_2, h0_2b,
+      h0_2bd, h0_2d, h0_3, h0_3b, h0_3bd, h0_3d, h10, h10b, h10bd, h10d, h11, h11b, h11bd, h11d,
+      h12, h12b, h12bd, h12d, h1_2, h1_2b, h1_2bd, h1_2d, h1_3, h1_3b, h1_3bd, h1_3d, h2, h2_2,
+      h2_2b, h2_2bd, h2_2d, h2_3, h2_3b, h2_3bd, h2_3d, h2b, h2bd, h2d, h3, h3_2, h3_2b, h3_2bd,
+      h3_2d, h3b, h3bd, h3d, hb, hbd, hd, k5, k5b, k5bd, k5d, k8, k8b, k8bd, k8d, n2, n2b, n2bd,
+      n2d, normal0, normal0b, normal0bd, normal0d, normal1, normal2, normal2b, normal2bd, normal2d,
+      p2, p2b, p2bd, p2d, p3, p3b, p3bd, p3d, p4, p4b, p4bd, p4d, p5, p5b, p5bd, p5d, p6, p6b, p6bd,
+      p6d, p7, p7b, p7bd, p7d, p_road, p_road2, p_road2b, p_road2bd, p_road2d, p_road3, p_road3b,
+      p_road3bd, p_road3d, p_road4, p_road4b, p_road4bd, p_road4d, p_road5, p_road5b, p_road5bd,
+      p_road5d, p_road6, p_road6b, p_road6bd, p_road6d, p_roadb, p_roadbd, p_roadd, p_roadk6,
+      p_roadk61, p_roadk61b, p_roadk61bd, p_roadk61d, p_roadk6b, p_roadk6bd, p_roadk6d, p_roadk9,
+      p_roadk91, p_roadk91b, p_roadk91bd, p_roadk91d, p_roadk9b, p_roadk9bd, p_roadk9d, p_roadroad,
+      p_roadroad2, p_roadroad2b, p_roadroad2bd, p_roadroad2d, p_roadroadb, p_roadroadbd,
+      p_roadroadd, r2, r2b, r2bd, r2d, radius, radius2, radius2b, radius2bd, radius2d, radiusb,
+      radiusbd, radiusd, ratio, ratiob, ratiobd, ratiod, re, reb, rebd, red, rhov, rhovb, rhovbd,
+      rhovd, s, s20, s20b, s20bd, s20d, s30, s30b, s30bd, s30d, s31, s31b, s31bd, s31d, sb, sbd, sd,
+      slope, slope2, slope2_2, slope2_2b, slope2_2bd, slope2_2d, slope2b, slope2bd, slope2d, slope3,
+      slope3b, slope3bd, slope3d, slopeb, slopebd, sloped, spline0_roadk60, spline0_roadk60b,
+      spline0_roadk60bd, spline0_roadk60d, spline0_roadk610, spline0_roadk610b, spline0_roadk610bd,
+      spline0_roadk610d, spline0_roadk90, spline0_roadk90b, spline0_roadk90bd, spline0_roadk90d,
+      spline0_roadk910, spline0_roadk910b, spline0_roadk910bd, spline0_roadk910d, t10, t10b, t10bd,
+      t10d, t11, t11b, t11bd, t11d, t12, t12b, t12bd, t12d, t13, t13b, t13bd, t13d, t14, t14b,
+      t14bd, t14d, t15, t15b, t15bd, t15d, t16, t16b, t16bd, t16d, t17, t17b, t17bd, t17d, t18,
+      t18b, t18bd, t18d, t19, t19b, t19bd, t19d, t2, t20, t20b, t20bd, t20d, t21, t21b, t21bd, t21d,
+      t22, t22b, t22bd, t22d, t23, t23b, t23bd, t23d, t24, t24b, t24bd, t24d, t25, t25b, t25bd,
+      t25d, t26, t26b, t26bd, t26d, t27, t27b, t27bd, t27d, t28, t28b, t28bd, t28d, t29, t29b,
+      t29bd, t29d, t2b, t2bd, t2d, t3, t30, t30b, t30bd, t30d, t31, t31b, t31bd, t31d, t32, t32b,
+      t32bd, t32d, t33, t33b, t33bd, t33d, t34, t34b, t34bd, t34d, t35, t35b, t35bd, t35d, t36,
+      t36b, t36bd, t36d, t37, t37b, t37bd, t37d, t38, t38b, t38bd, t38d, t39, t39b, t39bd, t39d,
+      t3b, t3bd, t3d, t4, t40, t40b, t40bd, t40d, t41, t41b, t41bd, t41d, t42, t42b, t42bd, t42d,
+      t43, t43b, t43bd, t43d, t4b, t4bd, t4d, t5, t5b, t5bd, t5d, t6, t6b, t6bd, t6d, t7, t7b, t7bd,
+      t7d, t8, t8b, t8bd, t8d, t9, t9b, t9bd, t9d, tb10, tb10d, tb11, tb11d, tb12, tb12d, tb13,
+      tb13d, tb14, tb14d, tb15, tb15d, tb16, tb16d, tb17, tb17d, tb18, tb18d, tb19, tb19d, tb2,
+      tb20, tb20d, tb21, tb21d, tb22, tb22d, tb23, tb23d, tb24, tb24d, tb25, tb25d, tb26, tb26d,
+      tb27, tb27d, tb28, tb28d, tb29, tb29d, tb2d, tb3, tb30, tb30d, tb31, tb31d, tb32, tb32d, tb33,
+      tb33d, tb34, tb34d, tb35, tb35d, tb36, tb36d, tb37, tb37d, tb38, tb38d, tb39, tb39d, tb3d,
+      tb4, tb40, tb40d, tb41, tb41d, tb42, tb42d, tb43, tb43d, tb44, tb44d, tb45, tb45d, tb46,
+      tb46d, tb47, tb47d, tb48, tb48d, tb49, tb49d, tb4d, tb5, tb50, tb50d, tb51, tb51d, tb52,
+      tb52d, tb53, tb53d, tb54, tb54d, tb55, tb55d, tb56, tb56d, tb57, tb57d, tb58, tb58d, tb59,
+      tb59d, tb5d, tb6, tb60, tb60d, tb61, tb61d, tb62, tb62d, tb63, tb63d, tb64, tb64d, tb65,
+      tb65d, tb66, tb66d, tb67, tb67d, tb68, tb68d, tb69, tb69d, tb6d, tb7, tb70, tb70d, tb71,
+      tb71d, tb72, tb72d, tb73, tb73d, tb74, tb74d, tb75, tb75d, tb76, tb76d, tb77, tb77d, tb78,
+      tb78d, tb79, tb79d, tb7d, tb8, tb80, tb80d, tb81, tb81d, tb82, tb82d, tb83, tb83d, tb84,
+      tb84d, tb85, tb85d, tb86, tb86d, tb87, tb87d, tb88, tb88d, tb89, tb89d, tb8d, tb9, tb90,
+      tb90d, tb91, tb91d, tb92, tb92d, tb93, tb93d, tb94, tb94d, tb95, tb95d, tb96, tb96d, tb97,
+      tb97d, tb9d, u0, u0b, u0bd, u0d, u1, u1b, u1bd, u1d, u2, u2_2, u2_2b, u2_2bd, u2_2d, u2b,
+      u2bd, u2d, u3, u3b, u3bd, u3d, ua0, ua0b, ua0bd, ua0d, ua1, ua1b, ua1bd, ua1d, ua2, ua2b,
+      ua2bd, ua2d, un0, un0b, un0bd, un0d, un1, un1b, un1bd, un1d, un2, un2b, un2bd, un2d, v0, v0b,
+      v0bd, v0d, v1, v1b, v1bd, v1d, v2, v2b, v2bd, v2d, w0, w0b, w0bd, w0d, w1, w1b, w1bd, w1d, w2,
+      w2_2, w2_2b, w2_2bd, w2_2d, w2b, w2bd, w2d, w3, w3b, w3bd, w3d, w4, w4b, w4bd, w4d, way, way2,
+      wr0, wr0b, wr0bd, wr0d, wr1, wr1b, wr1bd, wr1d, wr2, wr2b, wr2bd, wr2d, x, x2, x2b, x2bd, x2d,
+      x3, x3b, x3bd, x3d, x4, x4b, x4bd, x4d, xb, xbd, xd, y, y2, y2b, y2bd, y2d, yb, ybd, yd, z0,
+      z0b, z0bd, z0d, z2, z2_2, z2_2b, z2_2bd, z2_2d, z2_3, z2_3b, z2_3bd, z2_3d, z2b, z2bd, z2d,
+      z3, z3_2, z3_2b, z3_2bd, z3_2d, z3_3, z3_3b, z3_3bd, z3_3d, z3b, z3bd, z3d;
+
+  for (i = t->nwheel - 1; i >= 0; --i) {
+    adr = t->tyreadr[t->wheeltyre[i]];
+    body = t->wheelbody[i];
+    carrier = t->wheelcarrier[i];
+    road = t->wheelroad[i];
+    axis0 = p[t->wheelaxis[i]];
+    axis0d = pd[t->wheelaxis[i]];
+    axis1 = p[t->wheelaxis[i] + 1];
+    axis1d = pd[t->wheelaxis[i] + 1];
+    axis2 = p[t->wheelaxis[i] + 2];
+    axis2d = pd[t->wheelaxis[i] + 2];
+    ua0 = A[t->wheelbody[i]][0] * axis0 + A[t->wheelbody[i]][1] * axis1 + A[t->wheelbody[i]][2] *
+        axis2;
+    ua0d = Ad[t->wheelbody[i]][0] * axis0 + A[t->wheelbody[i]][0] * axis0d + (Ad[t->wheelbody[i]][1]
+        * axis1 + A[t->wheelbody[i]][1] * axis1d) + (Ad[t->wheelbody[i]][2] * axis2 +
+        A[t->wheelbody[i]][2] * axis2d);
+    ua1 = A[t->wheelbody[i]][3] * axis0 + A[t->wheelbody[i]][4] * axis1 + A[t->wheelbody[i]][5] *
+        axis2;
+    ua1d = Ad[t->wheelbody[i]][3] * axis0 + A[t->wheelbody[i]][3] * axis0d + (Ad[t->wheelbody[i]][4]
+        * axis1 + A[t->wheelbody[i]][4] * axis1d) + (Ad[t->wheelbody[i]][5] * axis2 +
+        A[t->wheelbody[i]][5] * axis2d);
+    ua2 = A[t->wheelbody[i]][6] * axis0 + A[t->wheelbody[i]][7] * axis1 + A[t->wheelbody[i]][8] *
+        axis2;
+    ua2d = Ad[t->wheelbody[i]][6] * axis0 + A[t->wheelbody[i]][6] * axis0d + (Ad[t->wheelbody[i]][7]
+        * axis1 + A[t->wheelbody[i]][7] * axis1d) + (Ad[t->wheelbody[i]][8] * axis2 +
+        A[t->wheelbody[i]][8] * axis2d);
+    t2 = ua0 * ua0 + ua1 * ua1 + ua2 * ua2;
+    t2d = ua0d * ua0 + ua0 * ua0d + (ua1d * ua1 + ua1 * ua1d) + (ua2d * ua2 + ua2 * ua2d);
+    n2 = sqrt(t2);
+    n2d = 1.0 / (2.0 * n2) * t2d;
+    u0 = ua0 / n2;
+    u0d = (ua0d - u0 * n2d) * (1.0 / n2);
+    u1 = ua1 / n2;
+    u1d = (ua1d - u1 * n2d) * (1.0 / n2);
+    u2_2 = ua2 / n2;
+    u2_2d = (ua2d - u2_2 * n2d) * (1.0 / n2);
+    g0 = r[t->wheelpoint[i]][0] - r[t->roadpoint[road]][0];
+    g0d = rd[t->wheelpoint[i]][0] - rd[t->roadpoint[road]][0];
+    g2 = r[t->wheelpoint[i]][2] - r[t->roadpoint[road]][2];
+    g2d = rd[t->wheelpoint[i]][2] - rd[t->roadpoint[road]][2];
+    x2 = g0;
+    x2d = g0d;
+    if (t->roadkind[road] == MAGGI_ROAD_FLAT) {
+      p_road = p[t->roadadr[road]];
+      p_roadd = pd[t->roadadr[road]];
+      h00 = p_road * x2;
+      h00d = p_roadd * x2 + p_road * x2d;
+    } else if (t->roadkind[road] == MAGGI_ROAD_SINE) {
+      k5 = 6.28318530717958647693 / p[t->roadadr[road] + 1];
+      k5d = -(k5 * pd[t->roadadr[road] + 1] * (1.0 / p[t->roadadr[road] + 1]));
+      t3 = k5 * x2;
+      t3d = k5d * x2 + k5 * x2d;
+      t4 = sin(t3);
+      t4d = cos(t3) * t3d;
+      p_road2 = p[t->roadadr[road]];
+      p_road2d = pd[t->roadadr[road]];
+      h00 = p_road2 * t4;
+      h00d = p_road2d * t4 + p_road2 * t4d;
+    } else if (t->roadkind[road] == MAGGI_ROAD_BUMPS) {
+      k4 = nearest_nodiff(t->np, p, t->roadadr[road], t->roadn[road], x2);
+      x3 = x2 - p[t->roadadr[road] + MAGGI_BUMPS_FIRST] - k4 * p[t->roadadr[road] +
+          MAGGI_BUMPS_SPACING];
+      x3d = x2d - pd[t->roadadr[road] + MAGGI_BUMPS_FIRST] - k4 * pd[t->roadadr[road] +
+          MAGGI_BUMPS_SPACING];
+      radius = p[t->roadadr[road]];
+      radiusd = pd[t->roadadr[road]];
+      base = radius - p[t->roadadr[road] + MAGGI_BUMPS_HEIGHT];
+      based = radiusd - pd[t->roadadr[road] + MAGGI_BUMPS_HEIGHT];
+      t5 = radius * radius - base * base;
+      t5d = radiusd * radius + radius * radiusd - (based * base + base * based);
+      c3 = sqrt(t5);
+      c3d = 1.0 / (2.0 * c3) * t5d;
+      f = 0.5 * p[t->roadadr[road] + MAGGI_BUMPS_FILLET];
+      fd = 0.5 * pd[t->roadadr[road] + MAGGI_BUMPS_FILLET];
+      if (MAGGI_RE(x3) > 0.0) {
+        way = 1.0;
+      } else {
+        way = -1.0;
+      }
+      y = way * x3;
+      yd = way * x3d;
+      if (MAGGI_RE(y) >= MAGGI_RE(c3 + f)) {
+        b20 = 0.0;
+        b20d = 0.0;
+      } else if (MAGGI_RE(y) > MAGGI_RE(c3 - f)) {
+        t6 = radius * radius - (c3 - f) * (c3 - f);
+        t6d = radiusd * radius + radius * radiusd - ((c3d - fd) * (c3 - f) + (c3 - f) * (c3d - fd));
+        z2 = sqrt(t6);
+        z2d = 1.0 / (2.0 * z2) * t6d;
+        h0_2 = z2 - base;
+        h0_2d = z2d - based;
+        h1_2 = 2.0 * f * (c3 - f) / z2;
+        h1_2d = (2.0 * fd * (c3 - f) + 2.0 * f * (c3d - fd) - h1_2 * z2d) * (1.0 / z2);
+        a = 3.0 * h0_2 - h1_2;
+        ad = 3.0 * h0_2d - h1_2d;
+        t7 = z2 * z2 * z2;
+        t7d = (z2d * z2 + z2 * z2d) * z2 + z2 * z2 * z2d;
+        t8 = 2.0 * f * f * radius * radius / t7;
+        t8d = (((2.0 * fd * f + 2.0 * f * fd) * radius + 2.0 * f * f * radiusd) * radius + 2.0 * f *
+            f * radius * radiusd - t8 * t7d) * (1.0 / t7);
+        b3 = 6.0 * h0_2 - 3.0 * h1_2 - t8;
+        b3d = 6.0 * h0_2d - 3.0 * h1_2d - t8d;
+        t9 = 2.0 * f;
+        t9d = 2.0 * fd;
+        u2 = (c3 + f - y) / t9;
+        u2d = (c3d + fd - yd - u2 * t9d) * (1.0 / t9);
+        w3 = 1.0 - u2;
+        w3d = -u2d;
+        b20 = u2 * u2 * u2 * (h0_2 + w3 * (a + w3 * b3));
+        b20d = ((u2d * u2 + u2 * u2d) * u2 + u2 * u2 * u2d) * (h0_2 + w3 * (a + w3 * b3)) + u2 * u2
+            * u2 * (h0_2d + (w3d * (a + w3 * b3) + w3 * (ad + (w3d * b3 + w3 * b3d))));
+      } else {
+        t10 = radius * radius - y * y;
+        t10d = radiusd * radius + radius * radiusd - (yd * y + y * yd);
+        z2_3 = sqrt(t10);
+        z2_3d = 1.0 / (2.0 * z2_3) * t10d;
+        b20 = z2_3 - base;
+        b20d = z2_3d - based;
+      }
+      h00 = b20;
+      h00d = b20d;
+    } else {
+      k6 = maggi_piece(t->np, p, t->roadadr[road], t->roadn[road], x2);
+      if (k6 < 0) {
+        p_road3 = p[t->roadadr[road]];
+        p_road3d = pd[t->roadadr[road]];
+        h = p[t->roadadr[road] + 1] - p_road3;
+        hd = pd[t->roadadr[road] + 1] - p_road3d;
+        p_roadroad = p[t->roadadr[road] + t->roadn[road]];
+        p_roadroadd = pd[t->roadadr[road] + t->roadn[road]];
+        t11 = (p[t->roadadr[road] + t->roadn[road] + 1] - p_roadroad) / h;
+        t11d = (pd[t->roadadr[road] + t->roadn[road] + 1] - p_roadroadd - t11 * hd) * (1.0 / h);
+        slope = t11 - h / 6.0 * (2.0 * spline0[t->roadspline[road]][0] + spline0[t->roadspline[road]
+            + 1][0]);
+        sloped = t11d - (hd / 6.0 * (2.0 * spline0[t->roadspline[road]][0] +
+            spline0[t->roadspline[road] + 1][0]) + h / 6.0 * (2.0 * spline0d[t->roadspline[road]][0]
+            + spline0d[t->roadspline[road] + 1][0]));
+        s20 = p_roadroad + slope * (x2 - p_road3);
+        s20d = p_roadroadd + (sloped * (x2 - p_road3) + slope * (x2d - p_road3d));
+      } else if (k6 > t->roadn[road] - 2) {
+        p2 = p[t->roadadr[road] + t->roadn[road] - 1];
+        p2d = pd[t->roadadr[road] + t->roadn[road] - 1];
+        h3 = p2 - p[t->roadadr[road] + t->roadn[road] - 2];
+        h3d = p2d - pd[t->roadadr[road] + t->roadn[road] - 2];
+        p3 = p[t->roadadr[road] + t->roadn[road] + t->roadn[road] - 1];
+        p3d = pd[t->roadadr[road] + t->roadn[road] + t->roadn[road] - 1];
+        t12 = (p3 - p[t->roadadr[road] + t->roadn[road] + t->roadn[road] - 2]) / h3;
+        t12d = (p3d - pd[t->roadadr[road] + t->roadn[road] + t->roadn[road] - 2] - t12 * h3d) * (1.0
+            / h3);
+        slope3 = t12 + h3 / 6.0 * (spline0[t->roadspline[road] + t->roadn[road] - 2][0] + 2.0 *
+            spline0[t->roadspline[road] + t->roadn[road] - 1][0]);
+        slope3d = t12d + (h3d / 6.0 * (spline0[t->roadspline[road] + t->roadn[road] - 2][0] + 2.0 *
+            spline0[t->roadspline[road] + t->roadn[road] - 1][0]) + h3 / 6.0 *
+            (spline0d[t->roadspline[road] + t->roadn[road] - 2][0] + 2.0 *
+            spline0d[t->roadspline[road] + t->roadn[road] - 1][0]));
+        s20 = p3 + slope3 * (x2 - p2);
+        s20d = p3d + (slope3d * (x2 - p2) + slope3 * (x2d - p2d));
+      } else {
+        p_roadk61 = p[t->roadadr[road] + k6 + 1];
+        p_roadk61d = pd[t->roadadr[road] + k6 + 1];
+        p_roadk6 = p[t->roadadr[road] + k6];
+        p_roadk6d = pd[t->roadadr[road] + k6];
+        h3_2 = p_roadk61 - p_roadk6;
+        h3_2d = p_roadk61d - p_roadk6d;
+        a2 = p_roadk61 - x2;
+        a2d = p_roadk61d - x2d;
+        c4 = x2 - p_roadk6;
+        c4d = x2d - p_roadk6d;
+        p4 = p[t->roadadr[road] + t->roadn[road] + k6];
+        p4d = pd[t->roadadr[road] + t->roadn[road] + k6];
+        t13 = (p[t->roadadr[road] + t->roadn[road] + k6 + 1] - p4) / h3_2;
+        t13d = (pd[t->roadadr[road] + t->roadn[road] + k6 + 1] - p4d - t13 * h3_2d) * (1.0 / h3_2);
+        spline0_roadk610 = spline0[t->roadspline[road] + k6 + 1][0];
+        spline0_roadk610d = spline0d[t->roadspline[road] + k6 + 1][0];
+        spline0_roadk60 = spline0[t->roadspline[road] + k6][0];
+        spline0_roadk60d = spline0d[t->roadspline[road] + k6][0];
+        e = t13 - h3_2 / 6.0 * (spline0_roadk610 - spline0_roadk60);
+        ed = t13d - (h3_2d / 6.0 * (spline0_roadk610 - spline0_roadk60) + h3_2 / 6.0 *
+            (spline0_roadk610d - spline0_roadk60d));
+        t14 = 6.0 * h3_2;
+        t14d = 6.0 * h3_2d;
+        t15 = (spline0_roadk60 * a2 * a2 * a2 + spline0_roadk610 * c4 * c4 * c4) / t14;
+        t15d = (((spline0_roadk60d * a2 + spline0_roadk60 * a2d) * a2 + spline0_roadk60 * a2 * a2d)
+            * a2 + spline0_roadk60 * a2 * a2 * a2d + (((spline0_roadk610d * c4 + spline0_roadk610 *
+            c4d) * c4 + spline0_roadk610 * c4 * c4d) * c4 + spline0_roadk610 * c4 * c4 * c4d) - t15
+            * t14d) * (1.0 / t14);
+        s20 = t15 + p4 - spline0_roadk60 * h3_2 * h3_2 / 6.0 + e * c4;
+        s20d = t15d + p4d - ((spline0_roadk60d * h3_2 + spline0_roadk60 * h3_2d) * h3_2 +
+            spline0_roadk60 * h3_2 * h3_2d) / 6.0 + (ed * c4 + e * c4d);
+      }
+      h00 = s20;
+      h00d = s20d;
+    }
+    t16 = u0 * u0 + u1 * u1;
+    t16d = u0d * u0 + u0 * u0d + (u1d * u1 + u1 * u1d);
+    t17 = u2_2 * u0 / t16;
+    t17d = (u2_2d * u0 + u2_2 * u0d - t17 * t16d) * (1.0 / t16);
+    x = g0 + t17 * (g2 - h00);
+    xd = g0d + (t17d * (g2 - h00) + t17 * (g2d - h00d));
+    if (t->roadkind[road] == MAGGI_ROAD_FLAT) {
+      p_road4 = p[t->roadadr[road]];
+      p_road4d = pd[t->roadadr[road]];
+      h10 = p_road4 * x;
+      h10d = p_road4d * x + p_road4 * xd;
+      h11 = p_road4;
+      h11d = p_road4d;
+      h12 = 0.0;
+      h12d = 0.0;
+    } else if (t->roadkind[road] == MAGGI_ROAD_SINE) {
+      k8 = 6.28318530717958647693 / p[t->roadadr[road] + 1];
+      k8d = -(k8 * pd[t->roadadr[road] + 1] * (1.0 / p[t->roadadr[road] + 1]));
+      t18 = k8 * x;
+      t18d = k8d * x + k8 * xd;
+      t19 = sin(t18);
+      t19d = cos(t18) * t18d;
+      p_road5 = p[t->roadadr[road]];
+      p_road5d = pd[t->roadadr[road]];
+      h10 = p_road5 * t19;
+      h10d = p_road5d * t19 + p_road5 * t19d;
+      t20 = k8 * x;
+      t20d = k8d * x + k8 * xd;
+      t21 = cos(t20);
+      t21d = -(sin(t20) * t20d);
+      h11 = k8 * p_road5 * t21;
+      h11d = (k8d * p_road5 + k8 * p_road5d) * t21 + k8 * p_road5 * t21d;
+      h12 = 0.0;
+      h12d = 0.0;
+    } else if (t->roadkind[road] == MAGGI_ROAD_BUMPS) {
+      k7 = nearest_nodiff(t->np, p, t->roadadr[road], t->roadn[road], x);
+      x4 = x - p[t->roadadr[road] + MAGGI_BUMPS_FIRST] - k7 * p[t->roadadr[road] +
+          MAGGI_BUMPS_SPACING];
+      x4d = xd - pd[t->roadadr[road] + MAGGI_BUMPS_FIRST] - k7 * pd[t->roadadr[road] +
+          MAGGI_BUMPS_SPACING];
+      radius2 = p[t->roadadr[road]];
+      radius2d = pd[t->roadadr[road]];
+      base2 = radius2 - p[t->roadadr[road] + MAGGI_BUMPS_HEIGHT];
+      base2d = radius2d - pd[t->roadadr[road] + MAGGI_BUMPS_HEIGHT];
+      t22 = radius2 * radius2 - base2 * base2;
+      t22d = radius2d * radius2 + radius2 * radius2d - (base2d * base2 + base2 * base2d);
+      c5 = sqrt(t22);
+      c5d = 1.0 / (2.0 * c5) * t22d;
+      f2 = 0.5 * p[t->roadadr[road] + MAGGI_BUMPS_FILLET];
+      f2d = 0.5 * pd[t->roadadr[road] + MAGGI_BUMPS_FILLET];
+      if (MAGGI_RE(x4) > 0.0) {
+        way2 = 1.0;
+      } else {
+        way2 = -1.0;
+      }
+      y2 = way2 * x4;
+      y2d = way2 * x4d;
+      if (MAGGI_RE(y2) >= MAGGI_RE(c5 + f2)) {
+        b40 = 0.0;
+        b40d = 0.0;
+        b41 = 0.0;
+        b41d = 0.0;
+      } else if (MAGGI_RE(y2) > MAGGI_RE(c5 - f2)) {
+        t23 = radius2 * radius2 - (c5 - f2) * (c5 - f2);
+        t23d = radius2d * radius2 + radius2 * radius2d - ((c5d - f2d) * (c5 - f2) + (c5 - f2) * (c5d
+            - f2d));
+        z3 = sqrt(t23);
+        z3d = 1.0 / (2.0 * z3) * t23d;
+        h0_3 = z3 - base2;
+        h0_3d = z3d - base2d;
+        h1_3 = 2.0 * f2 * (c5 - f2) / z3;
+        h1_3d = (2.0 * f2d * (c5 - f2) + 2.0 * f2 * (c5d - f2d) - h1_3 * z3d) * (1.0 / z3);
+        a3 = 3.0 * h0_3 - h1_3;
+        a3d = 3.0 * h0_3d - h1_3d;
+        t24 = z3 * z3 * z3;
+        t24d = (z3d * z3 + z3 * z3d) * z3 + z3 * z3 * z3d;
+        t25 = 2.0 * f2 * f2 * radius2 * radius2 / t24;
+        t25d = (((2.0 * f2d * f2 + 2.0 * f2 * f2d) * radius2 + 2.0 * f2 * f2 * radius2d) * radius2 +
+            2.0 * f2 * f2 * radius2 * radius2d - t25 * t24d) * (1.0 / t24);
+        b5 = 6.0 * h0_3 - 3.0 * h1_3 - t25;
+        b5d = 6.0 * h0_3d - 3.0 * h1_3d - t25d;
+        t26 = 2.0 * f2;
+        t26d = 2.0 * f2d;
+        u3 = (c5 + f2 - y2) / t26;
+        u3d = (c5d + f2d - y2d - u3 * t26d) * (1.0 / t26);
+        w4 = 1.0 - u3;
+        w4d = -u3d;
+        b40 = u3 * u3 * u3 * (h0_3 + w4 * (a3 + w4 * b5));
+        b40d = ((u3d * u3 + u3 * u3d) * u3 + u3 * u3 * u3d) * (h0_3 + w4 * (a3 + w4 * b5)) + u3 * u3
+            * u3 * (h0_3d + (w4d * (a3 + w4 * b5) + w4 * (a3d + (w4d * b5 + w4 * b5d))));
+        t27 = 2.0 * f2;
+        t27d = 2.0 * f2d;
+        t28 = -way2 * u3 * u3 * (3.0 * (h0_3 + w4 * (a3 + w4 * b5)) - u3 * (a3 + 2.0 * w4 * b5)) /
+            t27;
+        t28d = ((-(way2 * u3d * u3) + -way2 * u3 * u3d) * (3.0 * (h0_3 + w4 * (a3 + w4 * b5)) - u3 *
+            (a3 + 2.0 * w4 * b5)) + -way2 * u3 * u3 * (3.0 * (h0_3d + (w4d * (a3 + w4 * b5) + w4 *
+            (a3d + (w4d * b5 + w4 * b5d)))) - (u3d * (a3 + 2.0 * w4 * b5) + u3 * (a3d + (2.0 * w4d *
+            b5 + 2.0 * w4 * b5d)))) - t28 * t27d) * (1.0 / t27);
+        b41 = t28;
+        b41d = t28d;
+      } else {
+        t29 = radius2 * radius2 - y2 * y2;
+        t29d = radius2d * radius2 + radius2 * radius2d - (y2d * y2 + y2 * y2d);
+        z3_3 = sqrt(t29);
+        z3_3d = 1.0 / (2.0 * z3_3) * t29d;
+        b40 = z3_3 - base2;
+        b40d = z3_3d - base2d;
+        t30 = -x4 / z3_3;
+        t30d = (-x4d - t30 * z3_3d) * (1.0 / z3_3);
+        b41 = t30;
+        b41d = t30d;
+      }
+      h10 = b40;
+      h10d = b40d;
+      h11 = 0.0;
+      h11d = 0.0;
+      h12 = b41;
+      h12d = b41d;
+    } else {
+      k9 = maggi_piece(t->np, p, t->roadadr[road], t->roadn[road], x);
+      if (k9 < 0) {
+        p_road6 = p[t->roadadr[road]];
+        p_road6d = pd[t->roadadr[road]];
+        h2 = p[t->roadadr[road] + 1] - p_road6;
+        h2d = pd[t->roadadr[road] + 1] - p_road6d;
+        p_roadroad2 = p[t->roadadr[road] + t->roadn[road]];
+        p_roadroad2d = pd[t->roadadr[road] + t->roadn[road]];
+        t31 = (p[t->roadadr[road] + t->roadn[road] + 1] - p_roadroad2) / h2;
+        t31d = (pd[t->roadadr[road] + t->roadn[road] + 1] - p_roadroad2d - t31 * h2d) * (1.0 / h2);
+        slope2 = t31 - h2 / 6.0 * (2.0 * spline0[t->roadspline[road]][0] +
+            spline0[t->roadspline[road] + 1][0]);
+        slope2d = t31d - (h2d / 6.0 * (2.0 * spline0[t->roadspline[road]][0] +
+            spline0[t->roadspline[road] + 1][0]) + h2 / 6.0 * (2.0 *
+            spline0d[t->roadspline[road]][0] + spline0d[t->roadspline[road] + 1][0]));
+        s30 = p_roadroad2 + slope2 * (x - p_road6);
+        s30d = p_roadroad2d + (slope2d * (x - p_road6) + slope2 * (xd - p_road6d));
+        s31 = slope2;
+        s31d = slope2d;
+      } else if (k9 > t->roadn[road] - 2) {
+        p5 = p[t->roadadr[road] + t->roadn[road] - 1];
+        p5d = pd[t->roadadr[road] + t->roadn[road] - 1];
+        h2_2 = p5 - p[t->roadadr[road] + t->roadn[road] - 2];
+        h2_2d = p5d - pd[t->roadadr[road] + t->roadn[road] - 2];
+        p6 = p[t->roadadr[road] + t->roadn[road] + t->roadn[road] - 1];
+        p6d = pd[t->roadadr[road] + t->roadn[road] + t->roadn[road] - 1];
+        t32 = (p6 - p[t->roadadr[road] + t->roadn[road] + t->roadn[road] - 2]) / h2_2;
+        t32d = (p6d - pd[t->roadadr[road] + t->roadn[road] + t->roadn[road] - 2] - t32 * h2_2d) *
+            (1.0 / h2_2);
+        slope2_2 = t32 + h2_2 / 6.0 * (spline0[t->roadspline[road] + t->roadn[road] - 2][0] + 2.0 *
+            spline0[t->roadspline[road] + t->roadn[road] - 1][0]);
+        slope2_2d = t32d + (h2_2d / 6.0 * (spline0[t->roadspline[road] + t->roadn[road] - 2][0] +
+            2.0 * spline0[t->roadspline[road] + t->roadn[road] - 1][0]) + h2_2 / 6.0 *
+            (spline0d[t->roadspline[road] + t->roadn[road] - 2][0] + 2.0 *
+            spline0d[t->roadspline[road] + t->roadn[road] - 1][0]));
+        s30 = p6 + slope2_2 * (x - p5);
+        s30d = p6d + (slope2_2d * (x - p5) + slope2_2 * (xd - p5d));
+        s31 = slope2_2;
+        s31d = slope2_2d;
+      } else {
+        p_roadk91 = p[t->roadadr[road] + k9 + 1];
+        p_roadk91d = pd[t->roadadr[road] + k9 + 1];
+        p_roadk9 = p[t->roadadr[road] + k9];
+        p_roadk9d = pd[t->roadadr[road] + k9];
+        h2_3 = p_roadk91 - p_roadk9;
+        h2_3d = p_roadk91d - p_roadk9d;
+        a4 = p_roadk91 - x;
+        a4d = p_roadk91d - xd;
+        c6 = x - p_roadk9;
+        c6d = xd - p_roadk9d;
+        p7 = p[t->roadadr[road] + t->roadn[road] + k9];
+        p7d = pd[t->roadadr[road] + t->roadn[road] + k9];
+        t33 = (p[t->roadadr[road] + t->roadn[road] + k9 + 1] - p7) / h2_3;
+        t33d = (pd[t->roadadr[road] + t->roadn[road] + k9 + 1] - p7d - t33 * h2_3d) * (1.0 / h2_3);
+        spline0_roadk910 = spline0[t->roadspline[road] + k9 + 1][0];
+        spline0_roadk910d = spline0d[t->roadspline[road] + k9 + 1][0];
+        spline0_roadk90 = spline0[t->roadspline[road] + k9][0];
+        spline0_roadk90d = spline0d[t->roadspline[road] + k9][0];
+        e2 = t33 - h2_3 / 6.0 * (spline0_roadk910 - spline0_roadk90);
+        e2d = t33d - (h2_3d / 6.0 * (spline0_roadk910 - spline0_roadk90) + h2_3 / 6.0 *
+            (spline0_roadk910d - spline0_roadk90d));
+        t34 = 6.0 * h2_3;
+        t34d = 6.0 * h2_3d;
+        t35 = (spline0_roadk90 * a4 * a4 * a4 + spline0_roadk910 * c6 * c6 * c6) / t34;
+        t35d = (((spline0_roadk90d * a4 + spline0_roadk90 * a4d) * a4 + spline0_roadk90 * a4 * a4d)
+            * a4 + spline0_roadk90 * a4 * a4 * a4d + (((spline0_roadk910d * c6 + spline0_roadk910 *
+            c6d) * c6 + spline0_roadk910 * c6 * c6d) * c6 + spline0_roadk910 * c6 * c6 * c6d) - t35
+            * t34d) * (1.0 / t34);
+        s30 = t35 + p7 - spline0_roadk90 * h2_3 * h2_3 / 6.0 + e2 * c6;
+        s30d = t35d + p7d - ((spline0_roadk90d * h2_3 + spline0_roadk90 * h2_3d) * h2_3 +
+            spline0_roadk90 * h2_3 * h2_3d) / 6.0 + (e2d * c6 + e2 * c6d);
+        t36 = 2.0 * h2_3;
+        t36d = 2.0 * h2_3d;
+        t37 = (spline0_roadk910 * c6 * c6 - spline0_roadk90 * a4 * a4) / t36;
+        t37d = ((spline0_roadk910d * c6 + spline0_roadk910 * c6d) * c6 + spline0_roadk910 * c6 * c6d
+            - ((spline0_roadk90d * a4 + spline0_roadk90 * a4d) * a4 + spline0_roadk90 * a4 * a4d) -
+            t37 * t36d) * (1.0 / t36);
+        s31 = t37 + e2;
+        s31d = t37d + e2d;
+      }
+      h10 = s30;
+      h10d = s30d;
+      h11 = s31;
+      h11d = s31d;
+      h12 = 0.0;
+      h12d = 0.0;
+    }
+    t38 = 1.0 + h11 * h11;
+    t38d = h11d * h11 + h11 * h11d;
+    s = sqrt(t38);
+    sd = 1.0 / (2.0 * s) * t38d;
+    normal0 = -h11 / s;
+    normal0d = (-h11d - normal0 * sd) * (1.0 / s);
+    normal1 = 0.0;
+    normal2 = 1.0 / s;
+    normal2d = -(normal2 * sd * (1.0 / s));
+    c2 = u0 * normal0 + u1 * normal1 + u2_2 * normal2;
+    c2d = u0d * normal0 + u0 * normal0d + u1d * normal1 + (u2_2d * normal2 + u2_2 * normal2d);
+    un0 = u1 * normal2 - u2_2 * normal1;
+    un0d = u1d * normal2 + u1 * normal2d - u2_2d * normal1;
+    un1 = u2_2 * normal0 - u0 * normal2;
+    un1d = u2_2d * normal0 + u2_2 * normal0d - (u0d * normal2 + u0 * normal2d);
+    un2 = u0 * normal1 - u1 * normal0;
+    un2d = u0d * normal1 - (u1d * normal0 + u1 * normal0d);
+    t39 = un0 * un0 + un1 * un1 + un2 * un2;
+    t39d = un0d * un0 + un0 * un0d + (un1d * un1 + un1 * un1d) + (un2d * un2 + un2 * un2d);
+    w2 = sqrt(t39);
+    w2d = 1.0 / (2.0 * w2) * t39d;
+    r2 = ((g0 - x) * normal0 + (g2 - h10) * normal2) / w2;
+    r2d = ((g0d - xd) * normal0 + (g0 - x) * normal0d + ((g2d - h10d) * normal2 + (g2 - h10) *
+        normal2d) - r2 * w2d) * (1.0 / w2);
+    along0 = un0 / w2;
+    along0d = (un0d - along0 * w2d) * (1.0 / w2);
+    along1 = un1 / w2;
+    along1d = (un1d - along1 * w2d) * (1.0 / w2);
+    along2 = un2 / w2;
+    along2d = (un2d - along2 * w2d) * (1.0 / w2);
+    arm0 = r2 * (c2 * u0 - normal0) / w2;
+    arm0d = (r2d * (c2 * u0 - normal0) + r2 * (c2d * u0 + c2 * u0d - normal0d) - arm0 * w2d) * (1.0
+        / w2);
+    T0 = along0;
+    T0d = along0d;
+    N0 = normal0;
+    N0d = normal0d;
+    arm1 = r2 * (c2 * u1 - normal1) / w2;
+    arm1d = (r2d * (c2 * u1 - normal1) + r2 * (c2d * u1 + c2 * u1d) - arm1 * w2d) * (1.0 / w2);
+    T1 = along1;
+    T1d = along1d;
+    N1 = normal1;
+    arm2 = r2 * (c2 * u2_2 - normal2) / w2;
+    arm2d = (r2d * (c2 * u2_2 - normal2) + r2 * (c2d * u2_2 + c2 * u2_2d - normal2d) - arm2 * w2d) *
+        (1.0 / w2);
+    T2 = along2;
+    T2d = along2d;
+    N2 = normal2;
+    N2d = normal2d;
+    z0 = r2;
+    z0d = r2d;
+    z2_2 = w2;
+    z2_2d = w2d;
+    z3_2 = h12;
+    z3_2d = h12d;
+    c0 = r[t->wheelpoint[i]][0] + arm0;
+    c0d = rd[t->wheelpoint[i]][0] + arm0d;
+    c1 = r[t->wheelpoint[i]][1] + arm1;
+    c1d = rd[t->wheelpoint[i]][1] + arm1d;
+    c2_2 = r[t->wheelpoint[i]][2] + arm2;
+    c2_2d = rd[t->wheelpoint[i]][2] + arm2d;
+    wr0 = Z[carrier][3];
+    wr0d = Zd[carrier][3];
+    wr1 = Z[carrier][4];
+    wr1d = Zd[carrier][4];
+    wr2 = Z[carrier][5];
+    wr2d = Zd[carrier][5];
+    w0 = wr1 * c2_2 - wr2 * c1;
+    w0d = wr1d * c2_2 + wr1 * c2_2d - (wr2d * c1 + wr2 * c1d);
+    w1 = wr2 * c0 - wr0 * c2_2;
+    w1d = wr2d * c0 + wr2 * c0d - (wr0d * c2_2 + wr0 * c2_2d);
+    w2_2 = wr0 * c1 - wr1 * c0;
+    w2_2d = wr0d * c1 + wr0 * c1d - (wr1d * c0 + wr1 * c0d);
+    v0 = Z[carrier][0] + w0;
+    v0d = Zd[carrier][0] + w0d;
+    v1 = Z[carrier][1] + w1;
+    v1d = Zd[carrier][1] + w1d;
+    v2 = Z[carrier][2] + w2_2;
+    v2d = Zd[carrier][2] + w2_2d;
+    rhov = (z3_2 * v0 - (v0 * N0 + v1 * N1 + v2 * N2)) / z2_2;
+    rhovd = (z3_2d * v0 + z3_2 * v0d - (v0d * N0 + v0 * N0d + v1d * N1 + (v2d * N2 + v2 * N2d)) -
+        rhov * z2_2d) * (1.0 / z2_2);
+    fz = p[adr + MAGGI_TYRE_VERTICAL_STIFFNESS] * (p[adr + MAGGI_TYRE_UNLOADED_RADIUS] - z0) + p[adr
+        + MAGGI_TYRE_VERTICAL_DAMPING] * rhov;
+    fzd = pd[adr + MAGGI_TYRE_VERTICAL_STIFFNESS] * (p[adr + MAGGI_TYRE_UNLOADED_RADIUS] - z0) +
+        p[adr + MAGGI_TYRE_VERTICAL_STIFFNESS] * (pd[adr + MAGGI_TYRE_UNLOADED_RADIUS] - z0d) +
+        (pd[adr + MAGGI_TYRE_VERTICAL_DAMPING] * rhov + p[adr + MAGGI_TYRE_VERTICAL_DAMPING] *
+        rhovd);
+    fz0 = p[adr + MAGGI_TYRE_LFZO] * p[adr];
+    fz0d = pd[adr + MAGGI_TYRE_LFZO] * p[adr] + p[adr + MAGGI_TYRE_LFZO] * pd[adr];
+    if (MAGGI_RE(fz) > 0.0) {
+      ratio = fz / fz0;
+      ratiod = (fzd - ratio * fz0d) * (1.0 / fz0);
+      t40 = fz0 / p[adr + MAGGI_TYRE_VERTICAL_STIFFNESS];
+      t40d = (fz0d - t40 * pd[adr + MAGGI_TYRE_VERTICAL_STIFFNESS]) * (1.0 / p[adr +
+          MAGGI_TYRE_VERTICAL_STIFFNESS]);
+      t41 = p[adr + MAGGI_TYRE_BREFF] * ratio;
+      t41d = pd[adr + MAGGI_TYRE_BREFF] * ratio + p[adr + MAGGI_TYRE_BREFF] * ratiod;
+      t42 = atan(t41);
+      t42d = 1.0 / (1.0 + t41 * t41) * t41d;
+      re = p[adr + MAGGI_TYRE_UNLOADED_RADIUS] - t40 * (p[adr + MAGGI_TYRE_DREFF] * t42 + p[adr +
+          MAGGI_TYRE_FREFF] * ratio);
+      red = pd[adr + MAGGI_TYRE_UNLOADED_RADIUS] - (t40d * (p[adr + MAGGI_TYRE_DREFF] * t42 + p[adr
+          + MAGGI_TYRE_FREFF] * ratio) + t40 * (pd[adr + MAGGI_TYRE_DREFF] * t42 + p[adr +
+          MAGGI_TYRE_DREFF] * t42d + (pd[adr + MAGGI_TYRE_FREFF] * ratio + p[adr + MAGGI_TYRE_FREFF]
+          * ratiod)));
+    } else {
+      re = p[adr + MAGGI_TYRE_UNLOADED_RADIUS];
+      red = pd[adr + MAGGI_TYRE_UNLOADED_RADIUS];
+    }
+    t43 = re * (b[body][3] * u0 + b[body][4] * u1 + b[body][5] * u2_2);
+    t43d = red * (b[body][3] * u0 + b[body][4] * u1 + b[body][5] * u2_2) + re * (bd[body][3] * u0 +
+        b[body][3] * u0d + (bd[body][4] * u1 + b[body][4] * u1d) + (bd[body][5] * u2_2 + b[body][5]
+        * u2_2d));
+    tb96 = spinb[i];
+    tb96d = spinbd[i];
+    spinb[i] = 0.0;
+    spinbd[i] = 0.0;
+    tb97 = tb96 / t43;
+    tb97d = (tb96d - tb97 * t43d) * (1.0 / t43);
+    v0b = tb97 * T0;
+    v0bd = tb97d * T0 + tb97 * T0d;
+    T0b = tb97 * v0;
+    T0bd = tb97d * v0 + tb97 * v0d;
+    v1b = tb97 * T1;
+    v1bd = tb97d * T1 + tb97 * T1d;
+    T1b = tb97 * v1;
+    T1bd = tb97d * v1 + tb97 * v1d;
+    v2b = tb97 * T2;
+    v2bd = tb97d * T2 + tb97 * T2d;
+    T2b = tb97 * v2;
+    T2bd = tb97d * v2 + tb97 * v2d;
+    t43b = -(tb97 * spin[i]);
+    t43bd = -(tb97d * spin[i] + tb97 * spind[i]);
+    reb = t43b * (b[body][3] * u0 + b[body][4] * u1 + b[body][5] * u2_2);
+    rebd = t43bd * (b[body][3] * u0 + b[body][4] * u1 + b[body][5] * u2_2) + t43b * (bd[body][3] *
+        u0 + b[body][3] * u0d + (bd[body][4] * u1 + b[body][4] * u1d) + (bd[body][5] * u2_2 +
+        b[body][5] * u2_2d));
+    tb95 = t43b * re;
+    tb95d = t43bd * re + t43b * red;
+    bb[body][3] += tb95 * u0;
+    bbd[body][3] += tb95d * u0 + tb95 * u0d;
+    u0b = tb95 * b[body][3];
+    u0bd = tb95d * b[body][3] + tb95 * bd[body][3];
+    bb[body][4] += tb95 * u1;
+    bbd[body][4] += tb95d * u1 + tb95 * u1d;
+    u1b = tb95 * b[body][4];
+    u1bd = tb95d * b[body][4] + tb95 * bd[body][4];
+    bb[body][5] += tb95 * u2_2;
+    bbd[body][5] += tb95d * u2_2 + tb95 * u2_2d;
+    u2_2b = tb95 * b[body][5];
+    u2_2bd = tb95d * b[body][5] + tb95 * bd[body][5];
+    fz0b = 0.0;
+    fz0bd = 0.0;
+    fzb = 0.0;
+    fzbd = 0.0;
+    if (MAGGI_RE(fz) > 0.0) {
+      ratio = fz / fz0;
+      ratiod = (fzd - ratio * fz0d) * (1.0 / fz0);
+      t40 = fz0 / p[adr + MAGGI_TYRE_VERTICAL_STIFFNESS];
+      t40d = (fz0d - t40 * pd[adr + MAGGI_TYRE_VERTICAL_STIFFNESS]) * (1.0 / p[adr +
+          MAGGI_TYRE_VERTICAL_STIFFNESS]);
+      t41 = p[adr + MAGGI_TYRE_BREFF] * ratio;
+      t41d = pd[adr + MAGGI_TYRE_BREFF] * ratio + p[adr + MAGGI_TYRE_BREFF] * ratiod;
+      t42 = atan(t41);
+      t42d = 1.0 / (1.0 + t41 * t41) * t41d;
+      pb[adr + MAGGI_TYRE_UNLOADED_RADIUS] += reb;
+      pbd[adr + MAGGI_TYRE_UNLOADED_RADIUS] += rebd;
+      t40b = -(reb * (p[adr + MAGGI_TYRE_DREFF] * t42 + p[adr + MAGGI_TYRE_FREFF] * ratio));
+      t40bd = -(rebd * (p[adr + MAGGI_TYRE_DREFF] * t42 + p[adr + MAGGI_TYRE_FREFF] * ratio) + reb *
+          (pd[adr + MAGGI_TYRE_DREFF] * t42 + p[adr + MAGGI_TYRE_DREFF] * t42d + (pd[adr +
+          MAGGI_TYRE_FREFF] * ratio + p[adr + MAGGI_TYRE_FREFF] * ratiod)));
+      tb94 = reb * t40;
+      tb94d = rebd * t40 + reb * t40d;
+      pb[adr + MAGGI_TYRE_DREFF] -= tb94 * t42;
+      pbd[adr + MAGGI_TYRE_DREFF] -= tb94d * t42 + tb94 * t42d;
+      t42b = -(tb94 * p[adr + MAGGI_TYRE_DREFF]);
+      t42bd = -(tb94d * p[adr + MAGGI_TYRE_DREFF] + tb94 * pd[adr + MAGGI_TYRE_DREFF]);
+      pb[adr + MAGGI_TYRE_FREFF] -= tb94 * ratio;
+      pbd[adr + MAGGI_TYRE_FREFF] -= tb94d * ratio + tb94 * ratiod;
+      ratiob = -(tb94 * p[adr + MAGGI_TYRE_FREFF]);
+      ratiobd = -(tb94d * p[adr + MAGGI_TYRE_FREFF] + tb94 * pd[adr + MAGGI_TYRE_FREFF]);
+      reb = 0.0;
+      rebd = 0.0;
+      t41b = t42b * (1.0 / (1.0 + t41 * t41));
+      t41bd = t42bd * (1.0 / (1.0 + t41 * t41)) - t42b * (1.0 / (1.0 + t41 * t41) * (t41d * t41 +
+          t41 * t41d) / (1.0 + t41 * t41));
+      pb[adr + MAGGI_TYRE_BREFF] += t41b * ratio;
+      pbd[adr + MAGGI_TYRE_BREFF] += t41bd * ratio + t41b * ratiod;
+      ratiob += t41b * p[adr + MAGGI_TYRE_BREFF];
+      ratiobd += t41bd * p[adr + MAGGI_TYRE_BREFF] + t41b * pd[adr + MAGGI_TYRE_BREFF];
+      tb93 = t40b / p[adr + MAGGI_TYRE_VERTICAL_STIFFNESS];
+      tb93d = (t40bd - tb93 * pd[adr + MAGGI_TYRE_VERTICAL_STIFFNESS]) * (1.0 / p[adr +
+          MAGGI_TYRE_VERTICAL_STIFFNESS]);
+      fz0b += tb93;
+      fz0bd += tb93d;
+      pb[adr + MAGGI_TYRE_VERTICAL_STIFFNESS] -= tb93 * t40;
+      pbd[adr + MAGGI_TYRE_VERTICAL_STIFFNESS] -= tb93d * t40 + tb93 * t40d;
+      tb92 = ratiob / fz0;
+      tb92d = (ratiobd - tb92 * fz0d) * (1.0 / fz0);
+      fzb += tb92;
+      fzbd += tb92d;
+      fz0b -= tb92 * ratio;
+      fz0bd -= tb92d * ratio + tb92 * ratiod;
+    } else {
+      pb[adr + MAGGI_TYRE_UNLOADED_RADIUS] += reb;
+      pbd[adr + MAGGI_TYRE_UNLOADED_RADIUS] += rebd;
+      reb = 0.0;
+      rebd = 0.0;
+    }
+    pb[adr + MAGGI_TYRE_LFZO] += fz0b * p[adr];
+    /* Re = R0 - rho0 (D atan(B rd) + F rd),  rd = Fz / Fz0,  rho0 = Fz0 / Cz;  R0 in the air */
+    pbd[adr + MAGGI_TYRE_LFZO] += fz0bd * p[adr] + fz0b * pd[adr];
+    pb[adr] += fz0b * p[adr + MAGGI_TYRE_LFZO];
+    pbd[adr] += fz0bd * p[adr + MAGGI_TYRE_LFZO] + fz0b * pd[adr + MAGGI_TYRE_LFZO];
+    pb[adr + MAGGI_TYRE_VERTICAL_STIFFNESS] += fzb * (p[adr + MAGGI_TYRE_UNLOADED_RADIUS] - z0);
+    pbd[adr + MAGGI_TYRE_VERTICAL_STIFFNESS] += fzbd * (p[adr + MAGGI_TYRE_UNLOADED_RADIUS] - z0) +
+        fzb * (pd[adr + MAGGI_TYRE_UNLOADED_RADIUS] - z0d);
+    tb91 = fzb * p[adr + MAGGI_TYRE_VERTICAL_STIFFNESS];
+    tb91d = fzbd * p[adr + MAGGI_TYRE_VERTICAL_STIFFNESS] + fzb * pd[adr +
+        MAGGI_TYRE_VERTICAL_STIFFNESS];
+    pb[adr + MAGGI_TYRE_UNLOADED_RADIUS] += tb91;
+    pbd[adr + MAGGI_TYRE_UNLOADED_RADIUS] += tb91d;
+    z0b = -tb91;
+    z0bd = -tb91d;
+    pb[adr + MAGGI_TYRE_VERTICAL_DAMPING] += fzb * rhov;
+    pbd[adr + MAGGI_TYRE_VERTICAL_DAMPING] += fzbd * rhov + fzb * rhovd;
+    rhovb = fzb * p[adr + MAGGI_TYRE_VERTICAL_DAMPING];
+    rhovbd = fzbd * p[adr + MAGGI_TYRE_VERTICAL_DAMPING] + fzb * pd[adr +
+        MAGGI_TYRE_VERTICAL_DAMPING];
+    tb90 = rhovb / z2_2;
+    tb90d = (rhovbd - tb90 * z2_2d) * (1.0 / z2_2);
+    z3_2b = tb90 * v0;
+    z3_2bd = tb90d * v0 + tb90 * v0d;
+    v0b += tb90 * z3_2;
+    v0bd += tb90d * z3_2 + tb90 * z3_2d;
+    v0b -= tb90 * N0;
+    v0bd -= tb90d * N0 + tb90 * N0d;
+    N0b = -(tb90 * v0);
+    N0bd = -(tb90d * v0 + tb90 * v0d);
+    v1b -= tb90 * N1;
+    v1bd -= tb90d * N1;
+    v2b -= tb90 * N2;
+    v2bd -= tb90d * N2 + tb90 * N2d;
+    N2b = -(tb90 * v2);
+    N2bd = -(tb90d * v2 + tb90 * v2d);
+    z2_2b = -(tb90 * rhov);
+    z2_2bd = -(tb90d * rhov + tb90 * rhovd);
+    Zb[carrier][2] += v2b;
+    Zbd[carrier][2] += v2bd;
+    w2_2b = v2b;
+    w2_2bd = v2bd;
+    Zb[carrier][1] += v1b;
+    Zbd[carrier][1] += v1bd;
+    w1b = v1b;
+    w1bd = v1bd;
+    Zb[carrier][0] += v0b;
+    Zbd[carrier][0] += v0bd;
+    w0b = v0b;
+    w0bd = v0bd;
+    wr0b = w2_2b * c1;
+    wr0bd = w2_2bd * c1 + w2_2b * c1d;
+    c1b = w2_2b * wr0;
+    c1bd = w2_2bd * wr0 + w2_2b * wr0d;
+    wr1b = -(w2_2b * c0);
+    wr1bd = -(w2_2bd * c0 + w2_2b * c0d);
+    c0b = -(w2_2b * wr1);
+    c0bd = -(w2_2bd * wr1 + w2_2b * wr1d);
+    wr2b = w1b * c0;
+    wr2bd = w1bd * c0 + w1b * c0d;
+    c0b += w1b * wr2;
+    c0bd += w1bd * wr2 + w1b * wr2d;
+    wr0b -= w1b * c2_2;
+    wr0bd -= w1bd * c2_2 + w1b * c2_2d;
+    c2_2b = -(w1b * wr0);
+    c2_2bd = -(w1bd * wr0 + w1b * wr0d);
+    wr1b += w0b * c2_2;
+    wr1bd += w0bd * c2_2 + w0b * c2_2d;
+    c2_2b += w0b * wr1;
+    c2_2bd += w0bd * wr1 + w0b * wr1d;
+    wr2b -= w0b * c1;
+    wr2bd -= w0bd * c1 + w0b * c1d;
+    c1b -= w0b * wr2;
+    c1bd -= w0bd * wr2 + w0b * wr2d;
+    Zb[carrier][5] += wr2b;
+    Zbd[carrier][5] += wr2bd;
+    Zb[carrier][4] += wr1b;
+    Zbd[carrier][4] += wr1bd;
+    Zb[carrier][3] += wr0b;
+    Zbd[carrier][3] += wr0bd;
+    rb[t->wheelpoint[i]][2] += c2_2b;
+    rbd[t->wheelpoint[i]][2] += c2_2bd;
+    arm2b = c2_2b;
+    arm2bd = c2_2bd;
+    rb[t->wheelpoint[i]][1] += c1b;
+    rbd[t->wheelpoint[i]][1] += c1bd;
+    arm1b = c1b;
+    arm1bd = c1bd;
+    rb[t->wheelpoint[i]][0] += c0b;
+    rbd[t->wheelpoint[i]][0] += c0bd;
+    arm0b = c0b;
+    arm0bd = c0bd;
+    h12b = z3_2b;
+    h12bd = z3_2bd;
+    w2b = z2_2b;
+    w2bd = z2_2bd;
+    r2b = z0b;
+    r2bd = z0bd;
+    normal2b = N2b;
+    normal2bd = N2bd;
+    along2b = T2b;
+    along2bd = T2bd;
+    tb88 = arm2b / w2;
+    tb88d = (arm2bd - tb88 * w2d) * (1.0 / w2);
+    r2b += tb88 * (c2 * u2_2 - normal2);
+    r2bd += tb88d * (c2 * u2_2 - normal2) + tb88 * (c2d * u2_2 + c2 * u2_2d - normal2d);
+    tb89 = tb88 * r2;
+    tb89d = tb88d * r2 + tb88 * r2d;
+    c2b = tb89 * u2_2;
+    c2bd = tb89d * u2_2 + tb89 * u2_2d;
+    u2_2b += tb89 * c2;
+    u2_2bd += tb89d * c2 + tb89 * c2d;
+    normal2b -= tb89;
+    normal2bd -= tb89d;
+    w2b -= tb88 * arm2;
+    w2bd -= tb88d * arm2 + tb88 * arm2d;
+    along1b = T1b;
+    along1bd = T1bd;
+    tb86 = arm1b / w2;
+    tb86d = (arm1bd - tb86 * w2d) * (1.0 / w2);
+    r2b += tb86 * (c2 * u1 - normal1);
+    r2bd += tb86d * (c2 * u1 - normal1) + tb86 * (c2d * u1 + c2 * u1d);
+    tb87 = tb86 * r2;
+    tb87d = tb86d * r2 + tb86 * r2d;
+    c2b += tb87 * u1;
+    c2bd += tb87d * u1 + tb87 * u1d;
+    u1b += tb87 * c2;
+    u1bd += tb87d * c2 + tb87 * c2d;
+    w2b -= tb86 * arm1;
+    w2bd -= tb86d * arm1 + tb86 * arm1d;
+    normal0b = N0b;
+    normal0bd = N0bd;
+    along0b = T0b;
+    along0bd = T0bd;
+    tb84 = arm0b / w2;
+    tb84d = (arm0bd - tb84 * w2d) * (1.0 / w2);
+    r2b += tb84 * (c2 * u0 - normal0);
+    r2bd += tb84d * (c2 * u0 - normal0) + tb84 * (c2d * u0 + c2 * u0d - normal0d);
+    tb85 = tb84 * r2;
+    tb85d = tb84d * r2 + tb84 * r2d;
+    c2b += tb85 * u0;
+    c2bd += tb85d * u0 + tb85 * u0d;
+    u0b += tb85 * c2;
+    u0bd += tb85d * c2 + tb85 * c2d;
+    normal0b -= tb85;
+    normal0bd -= tb85d;
+    w2b -= tb84 * arm0;
+    w2bd -= tb84d * arm0 + tb84 * arm0d;
+    tb83 = along2b / w2;
+    tb83d = (along2bd - tb83 * w2d) * (1.0 / w2);
+    un2b = tb83;
+    un2bd = tb83d;
+    w2b -= tb83 * along2;
+    w2bd -= tb83d * along2 + tb83 * along2d;
+    tb82 = along1b / w2;
+    tb82d = (along1bd - tb82 * w2d) * (1.0 / w2);
+    un1b = tb82;
+    un1bd = tb82d;
+    w2b -= tb82 * along1;
+    w2bd -= tb82d * along1 + tb82 * along1d;
+    tb81 = along0b / w2;
+    tb81d = (along0bd - tb81 * w2d) * (1.0 / w2);
+    un0b = tb81;
+    un0bd = tb81d;
+    w2b -= tb81 * along0;
+    w2bd -= tb81d * along0 + tb81 * along0d;
+    tb78 = r2b / w2;
+    tb78d = (r2bd - tb78 * w2d) * (1.0 / w2);
+    tb79 = tb78 * normal0;
+    tb79d = tb78d * normal0 + tb78 * normal0d;
+    g0b = tb79;
+    g0bd = tb79d;
+    xb = -tb79;
+    xbd = -tb79d;
+    normal0b += tb78 * (g0 - x);
+    normal0bd += tb78d * (g0 - x) + tb78 * (g0d - xd);
+    tb80 = tb78 * normal2;
+    tb80d = tb78d * normal2 + tb78 * normal2d;
+    g2b = tb80;
+    g2bd = tb80d;
+    h10b = -tb80;
+    h10bd = -tb80d;
+    normal2b += tb78 * (g2 - h10);
+    normal2bd += tb78d * (g2 - h10) + tb78 * (g2d - h10d);
+    w2b -= tb78 * r2;
+    w2bd -= tb78d * r2 + tb78 * r2d;
+    t39b = w2b * (1.0 / (2.0 * w2));
+    t39bd = w2bd * (1.0 / (2.0 * w2)) - w2b * (1.0 / (2.0 * w2) * (2.0 * w2d) / (2.0 * w2));
+    un0b += t39b * un0;
+    un0bd += t39bd * un0 + t39b * un0d;
+    un0b += t39b * un0;
+    un0bd += t39bd * un0 + t39b * un0d;
+    un1b += t39b * un1;
+    un1bd += t39bd * un1 + t39b * un1d;
+    un1b += t39b * un1;
+    un1bd += t39bd * un1 + t39b * un1d;
+    un2b += t39b * un2;
+    un2bd += t39bd * un2 + t39b * un2d;
+    un2b += t39b * un2;
+    un2bd += t39bd * un2 + t39b * un2d;
+    u0b += un2b * normal1;
+    u0bd += un2bd * normal1;
+    u1b -= un2b * normal0;
+    u1bd -= un2bd * normal0 + un2b * normal0d;
+    normal0b -= un2b * u1;
+    normal0bd -= un2bd * u1 + un2b * u1d;
+    u2_2b += un1b * normal0;
+    u2_2bd += un1bd * normal0 + un1b * normal0d;
+    normal0b += un1b * u2_2;
+    normal0bd += un1bd * u2_2 + un1b * u2_2d;
+    u0b -= un1b * normal2;
+    u0bd -= un1bd * normal2 + un1b * normal2d;
+    normal2b -= un1b * u0;
+    normal2bd -= un1bd * u0 + un1b * u0d;
+    u1b += un0b * normal2;
+    u1bd += un0bd * normal2 + un0b * normal2d;
+    normal2b += un0b * u1;
+    normal2bd += un0bd * u1 + un0b * u1d;
+    u2_2b -= un0b * normal1;
+    u2_2bd -= un0bd * normal1;
+    u0b += c2b * normal0;
+    u0bd += c2bd * normal0 + c2b * normal0d;
+    normal0b += c2b * u0;
+    normal0bd += c2bd * u0 + c2b * u0d;
+    u1b += c2b * normal1;
+    u1bd += c2bd * normal1;
+    u2_2b += c2b * normal2;
+    u2_2bd += c2bd * normal2 + c2b * normal2d;
+    normal2b += c2b * u2_2;
+    normal2bd += c2bd * u2_2 + c2b * u2_2d;
+    tb77 = normal2b / s;
+    tb77d = (normal2bd - tb77 * sd) * (1.0 / s);
+    sb = -(tb77 * normal2);
+    sbd = -(tb77d * normal2 + tb77 * normal2d);
+    tb76 = normal0b / s;
+    tb76d = (normal0bd - tb76 * sd) * (1.0 / s);
+    h11b = -tb76;
+    h11bd = -tb76d;
+    sb -= tb76 * normal0;
+    sbd -= tb76d * normal0 + tb76 * normal0d;
+    t38b = sb * (1.0 / (2.0 * s));
+    t38bd = sbd * (1.0 / (2.0 * s)) - sb * (1.0 / (2.0 * s) * (2.0 * sd) / (2.0 * s));
+    h11b += t38b * h11;
+    h11bd += t38bd * h11 + t38b * h11d;
+    h11b += t38b * h11;
+    h11bd += t38bd * h11 + t38b * h11d;
+    if (t->roadkind[road] == MAGGI_ROAD_FLAT) {
+      p_road4 = p[t->roadadr[road]];
+      p_road4d = pd[t->roadadr[road]];
+      h12b = 0.0;
+      h12bd = 0.0;
+      p_road4b = h11b;
+      p_road4bd = h11bd;
+      h11b = 0.0;
+      h11bd = 0.0;
+      p_road4b += h10b * x;
+      p_road4bd += h10bd * x + h10b * xd;
+      xb += h10b * p_road4;
+      xbd += h10bd * p_road4 + h10b * p_road4d;
+      h10b = 0.0;
+      h10bd = 0.0;
+      pb[t->roadadr[road]] += p_road4b;
+      pbd[t->roadadr[road]] += p_road4bd;
+    } else if (t->roadkind[road] == MAGGI_ROAD_SINE) {
+      k8 = 6.28318530717958647693 / p[t->roadadr[road] + 1];
+      k8d = -(k8 * pd[t->roadadr[road] + 1] * (1.0 / p[t->roadadr[road] + 1]));
+      t18 = k8 * x;
+      t18d = k8d * x + k8 * xd;
+      t19 = sin(t18);
+      t19d = cos(t18) * t18d;
+      p_road5 = p[t->roadadr[road]];
+      p_road5d = pd[t->roadadr[road]];
+      t20 = k8 * x;
+      t20d = k8d * x + k8 * xd;
+      t21 = cos(t20);
+      t21d = -(sin(t20) * t20d);
+      h12b = 0.0;
+      h12bd = 0.0;
+      tb37 = h11b * t21;
+      tb37d = h11bd * t21 + h11b * t21d;
+      k8b = tb37 * p_road5;
+      k8bd = tb37d * p_road5 + tb37 * p_road5d;
+      p_road5b = tb37 * k8;
+      p_road5bd = tb37d * k8 + tb37 * k8d;
+      t21b = h11b * (k8 * p_road5);
+      t21bd = h11bd * (k8 * p_road5) + h11b * (k8d * p_road5 + k8 * p_road5d);
+      h11b = 0.0;
+      h11bd = 0.0;
+      t20b = -(t21b * sin(t20));
+      t20bd = -(t21bd * sin(t20) + t21b * (cos(t20) * t20d));
+      k8b += t20b * x;
+      k8bd += t20bd * x + t20b * xd;
+      xb += t20b * k8;
+      xbd += t20bd * k8 + t20b * k8d;
+      p_road5b += h10b * t19;
+      p_road5bd += h10bd * t19 + h10b * t19d;
+      t19b = h10b * p_road5;
+      t19bd = h10bd * p_road5 + h10b * p_road5d;
+      h10b = 0.0;
+      h10bd = 0.0;
+      pb[t->roadadr[road]] += p_road5b;
+      pbd[t->roadadr[road]] += p_road5bd;
+      t18b = t19b * cos(t18);
+      t18bd = t19bd * cos(t18) - t19b * (sin(t18) * t18d);
+      k8b += t18b * x;
+      k8bd += t18bd * x + t18b * xd;
+      xb += t18b * k8;
+      xbd += t18bd * k8 + t18b * k8d;
+      tb36 = k8b / p[t->roadadr[road] + 1];
+      tb36d = (k8bd - tb36 * pd[t->roadadr[road] + 1]) * (1.0 / p[t->roadadr[road] + 1]);
+      pb[t->roadadr[road] + 1] -= tb36 * k8;
+      pbd[t->roadadr[road] + 1] -= tb36d * k8 + tb36 * k8d;
+    } else if (t->roadkind[road] == MAGGI_ROAD_BUMPS) {
+      k7 = nearest_nodiff(t->np, p, t->roadadr[road], t->roadn[road], x);
+      x4 = x - p[t->roadadr[road] + MAGGI_BUMPS_FIRST] - k7 * p[t->roadadr[road] +
+          MAGGI_BUMPS_SPACING];
+      x4d = xd - pd[t->roadadr[road] + MAGGI_BUMPS_FIRST] - k7 * pd[t->roadadr[road] +
+          MAGGI_BUMPS_SPACING];
+      radius2 = p[t->roadadr[road]];
+      radius2d = pd[t->roadadr[road]];
+      base2 = radius2 - p[t->roadadr[road] + MAGGI_BUMPS_HEIGHT];
+      base2d = radius2d - pd[t->roadadr[road] + MAGGI_BUMPS_HEIGHT];
+      t22 = radius2 * radius2 - base2 * base2;
+      t22d = radius2d * radius2 + radius2 * radius2d - (base2d * base2 + base2 * base2d);
+      c5 = sqrt(t22);
+      c5d = 1.0 / (2.0 * c5) * t22d;
+      f2 = 0.5 * p[t->roadadr[road] + MAGGI_BUMPS_FILLET];
+      f2d = 0.5 * pd[t->roadadr[road] + MAGGI_BUMPS_FILLET];
+      if (MAGGI_RE(x4) > 0.0) {
+        way2 = 1.0;
+      } else {
+        way2 = -1.0;
+      }
+      y2 = way2 * x4;
+      y2d = way2 * x4d;
+      b41b = h12b;
+      b41bd = h12bd;
+      h12b = 0.0;
+      h12bd = 0.0;
+      h11b = 0.0;
+      h11bd = 0.0;
+      b40b = h10b;
+      b40bd = h10bd;
+      h10b = 0.0;
+      h10bd = 0.0;
+      base2b = 0.0;
+      base2bd = 0.0;
+      c5b = 0.0;
+      c5bd = 0.0;
+      f2b = 0.0;
+      f2bd = 0.0;
+      radius2b = 0.0;
+      radius2bd = 0.0;
+      x4b = 0.0;
+      x4bd = 0.0;
+      y2b = 0.0;
+      y2bd = 0.0;
+      if (MAGGI_RE(y2) >= MAGGI_RE(c5 + f2)) {
+        b41b = 0.0;
+        b41bd = 0.0;
+        b40b = 0.0;
+        b40bd = 0.0;
+      } else if (MAGGI_RE(y2) > MAGGI_RE(c5 - f2)) {
+        t23 = radius2 * radius2 - (c5 - f2) * (c5 - f2);
+        t23d = radius2d * radius2 + radius2 * radius2d - ((c5d - f2d) * (c5 - f2) + (c5 - f2) * (c5d
+            - f2d));
+        z3 = sqrt(t23);
+        z3d = 1.0 / (2.0 * z3) * t23d;
+        h0_3 = z3 - base2;
+        h0_3d = z3d - base2d;
+        h1_3 = 2.0 * f2 * (c5 - f2) / z3;
+        h1_3d = (2.0 * f2d * (c5 - f2) + 2.0 * f2 * (c5d - f2d) - h1_3 * z3d) * (1.0 / z3);
+        a3 = 3.0 * h0_3 - h1_3;
+        a3d = 3.0 * h0_3d - h1_3d;
+        t24 = z3 * z3 * z3;
+        t24d = (z3d * z3 + z3 * z3d) * z3 + z3 * z3 * z3d;
+        t25 = 2.0 * f2 * f2 * radius2 * radius2 / t24;
+        t25d = (((2.0 * f2d * f2 + 2.0 * f2 * f2d) * radius2 + 2.0 * f2 * f2 * radius2d) * radius2 +
+            2.0 * f2 * f2 * radius2 * radius2d - t25 * t24d) * (1.0 / t24);
+        b5 = 6.0 * h0_3 - 3.0 * h1_3 - t25;
+        b5d = 6.0 * h0_3d - 3.0 * h1_3d - t25d;
+        t26 = 2.0 * f2;
+        t26d = 2.0 * f2d;
+        u3 = (c5 + f2 - y2) / t26;
+        u3d = (c5d + f2d - y2d - u3 * t26d) * (1.0 / t26);
+        w4 = 1.0 - u3;
+        w4d = -u3d;
+        t27 = 2.0 * f2;
+        t27d = 2.0 * f2d;
+        t28 = -way2 * u3 * u3 * (3.0 * (h0_3 + w4 * (a3 + w4 * b5)) - u3 * (a3 + 2.0 * w4 * b5)) /
+            t27;
+        t28d = ((-(way2 * u3d * u3) + -way2 * u3 * u3d) * (3.0 * (h0_3 + w4 * (a3 + w4 * b5)) - u3 *
+            (a3 + 2.0 * w4 * b5)) + -way2 * u3 * u3 * (3.0 * (h0_3d + (w4d * (a3 + w4 * b5) + w4 *
+            (a3d + (w4d * b5 + w4 * b5d)))) - (u3d * (a3 + 2.0 * w4 * b5) + u3 * (a3d + (2.0 * w4d *
+            b5 + 2.0 * w4 * b5d)))) - t28 * t27d) * (1.0 / t27);
+        t28b = b41b;
+        t28bd = b41bd;
+        b41b = 0.0;
+        b41bd = 0.0;
+        tb51 = t28b / t27;
+        tb51d = (t28bd - tb51 * t27d) * (1.0 / t27);
+        tb52 = tb51 * (3.0 * (h0_3 + w4 * (a3 + w4 * b5)) - u3 * (a3 + 2.0 * w4 * b5));
+        tb52d = tb51d * (3.0 * (h0_3 + w4 * (a3 + w4 * b5)) - u3 * (a3 + 2.0 * w4 * b5)) + tb51 *
+            (3.0 * (h0_3d + (w4d * (a3 + w4 * b5) + w4 * (a3d + (w4d * b5 + w4 * b5d)))) - (u3d *
+            (a3 + 2.0 * w4 * b5) + u3 * (a3d + (2.0 * w4d * b5 + 2.0 * w4 * b5d))));
+        u3b = -(tb52 * u3 * way2);
+        u3bd = -((tb52d * u3 + tb52 * u3d) * way2);
+        u3b += tb52 * (-way2 * u3);
+        u3bd += tb52d * (-way2 * u3) - tb52 * (way2 * u3d);
+        tb53 = tb51 * (-way2 * u3 * u3);
+        tb53d = tb51d * (-way2 * u3 * u3) + tb51 * (-(way2 * u3d * u3) + -way2 * u3 * u3d);
+        tb54 = tb53 * 3.0;
+        tb54d = tb53d * 3.0;
+        h0_3b = tb54;
+        h0_3bd = tb54d;
+        w4b = tb54 * (a3 + w4 * b5);
+        w4bd = tb54d * (a3 + w4 * b5) + tb54 * (a3d + (w4d * b5 + w4 * b5d));
+        tb55 = tb54 * w4;
+        tb55d = tb54d * w4 + tb54 * w4d;
+        a3b = tb55;
+        a3bd = tb55d;
+        w4b += tb55 * b5;
+        w4bd += tb55d * b5 + tb55 * b5d;
+        b5b = tb55 * w4;
+        b5bd = tb55d * w4 + tb55 * w4d;
+        u3b -= tb53 * (a3 + 2.0 * w4 * b5);
+        u3bd -= tb53d * (a3 + 2.0 * w4 * b5) + tb53 * (a3d + (2.0 * w4d * b5 + 2.0 * w4 * b5d));
+        tb56 = tb53 * u3;
+        tb56d = tb53d * u3 + tb53 * u3d;
+        a3b -= tb56;
+        a3bd -= tb56d;
+        w4b -= tb56 * b5 * 2.0;
+        w4bd -= (tb56d * b5 + tb56 * b5d) * 2.0;
+        b5b -= tb56 * (2.0 * w4);
+        b5bd -= tb56d * (2.0 * w4) + tb56 * (2.0 * w4d);
+        t27b = -(tb51 * t28);
+        t27bd = -(tb51d * t28 + tb51 * t28d);
+        f2b += t27b * 2.0;
+        f2bd += t27bd * 2.0;
+        tb47 = b40b * (h0_3 + w4 * (a3 + w4 * b5));
+        tb47d = b40bd * (h0_3 + w4 * (a3 + w4 * b5)) + b40b * (h0_3d + (w4d * (a3 + w4 * b5) + w4 *
+            (a3d + (w4d * b5 + w4 * b5d))));
+        tb48 = tb47 * u3;
+        tb48d = tb47d * u3 + tb47 * u3d;
+        u3b += tb48 * u3;
+        u3bd += tb48d * u3 + tb48 * u3d;
+        u3b += tb48 * u3;
+        u3bd += tb48d * u3 + tb48 * u3d;
+        u3b += tb47 * (u3 * u3);
+        u3bd += tb47d * (u3 * u3) + tb47 * (u3d * u3 + u3 * u3d);
+        tb49 = b40b * (u3 * u3 * u3);
+        tb49d = b40bd * (u3 * u3 * u3) + b40b * ((u3d * u3 + u3 * u3d) * u3 + u3 * u3 * u3d);
+        h0_3b += tb49;
+        h0_3bd += tb49d;
+        w4b += tb49 * (a3 + w4 * b5);
+        w4bd += tb49d * (a3 + w4 * b5) + tb49 * (a3d + (w4d * b5 + w4 * b5d));
+        tb50 = tb49 * w4;
+        tb50d = tb49d * w4 + tb49 * w4d;
+        a3b += tb50;
+        a3bd += tb50d;
+        w4b += tb50 * b5;
+        w4bd += tb50d * b5 + tb50 * b5d;
+        b5b += tb50 * w4;
+        b5bd += tb50d * w4 + tb50 * w4d;
+        b40b = 0.0;
+        b40bd = 0.0;
+        u3b -= w4b;
+        u3bd -= w4bd;
+        tb46 = u3b / t26;
+        tb46d = (u3bd - tb46 * t26d) * (1.0 / t26);
+        c5b += tb46;
+        c5bd += tb46d;
+        f2b += tb46;
+        f2bd += tb46d;
+        y2b -= tb46;
+        y2bd -= tb46d;
+        t26b = -(tb46 * u3);
+        t26bd = -(tb46d * u3 + tb46 * u3d);
+        f2b += t26b * 2.0;
+        f2bd += t26bd * 2.0;
+        h0_3b += b5b * 6.0;
+        h0_3bd += b5bd * 6.0;
+        h1_3b = -(b5b * 3.0);
+        h1_3bd = -(b5bd * 3.0);
+        t25b = -b5b;
+        t25bd = -b5bd;
+        tb43 = t25b / t24;
+        tb43d = (t25bd - tb43 * t24d) * (1.0 / t24);
+        tb44 = tb43 * radius2;
+        tb44d = tb43d * radius2 + tb43 * radius2d;
+        tb45 = tb44 * radius2;
+        tb45d = tb44d * radius2 + tb44 * radius2d;
+        f2b += tb45 * f2 * 2.0;
+        f2bd += (tb45d * f2 + tb45 * f2d) * 2.0;
+        f2b += tb45 * (2.0 * f2);
+        f2bd += tb45d * (2.0 * f2) + tb45 * (2.0 * f2d);
+        radius2b += tb44 * (2.0 * f2 * f2);
+        radius2bd += tb44d * (2.0 * f2 * f2) + tb44 * (2.0 * f2d * f2 + 2.0 * f2 * f2d);
+        radius2b += tb43 * (2.0 * f2 * f2 * radius2);
+        radius2bd += tb43d * (2.0 * f2 * f2 * radius2) + tb43 * ((2.0 * f2d * f2 + 2.0 * f2 * f2d) *
+            radius2 + 2.0 * f2 * f2 * radius2d);
+        t24b = -(tb43 * t25);
+        t24bd = -(tb43d * t25 + tb43 * t25d);
+        tb42 = t24b * z3;
+        tb42d = t24bd * z3 + t24b * z3d;
+        z3b = tb42 * z3;
+        z3bd = tb42d * z3 + tb42 * z3d;
+        z3b += tb42 * z3;
+        z3bd += tb42d * z3 + tb42 * z3d;
+        z3b += t24b * (z3 * z3);
+        z3bd += t24bd * (z3 * z3) + t24b * (z3d * z3 + z3 * z3d);
+        h0_3b += a3b * 3.0;
+        h0_3bd += a3bd * 3.0;
+        h1_3b -= a3b;
+        h1_3bd -= a3bd;
+        tb40 = h1_3b / z3;
+        tb40d = (h1_3bd - tb40 * z3d) * (1.0 / z3);
+        f2b += tb40 * (c5 - f2) * 2.0;
+        f2bd += (tb40d * (c5 - f2) + tb40 * (c5d - f2d)) * 2.0;
+        tb41 = tb40 * (2.0 * f2);
+        tb41d = tb40d * (2.0 * f2) + tb40 * (2.0 * f2d);
+        c5b += tb41;
+        c5bd += tb41d;
+        f2b -= tb41;
+        f2bd -= tb41d;
+        z3b -= tb40 * h1_3;
+        z3bd -= tb40d * h1_3 + tb40 * h1_3d;
+        z3b += h0_3b;
+        z3bd += h0_3bd;
+        base2b -= h0_3b;
+        base2bd -= h0_3bd;
+        t23b = z3b * (1.0 / (2.0 * z3));
+        t23bd = z3bd * (1.0 / (2.0 * z3)) - z3b * (1.0 / (2.0 * z3) * (2.0 * z3d) / (2.0 * z3));
+        radius2b += t23b * radius2;
+        radius2bd += t23bd * radius2 + t23b * radius2d;
+        radius2b += t23b * radius2;
+        radius2bd += t23bd * radius2 + t23b * radius2d;
+        tb38 = t23b * (c5 - f2);
+        tb38d = t23bd * (c5 - f2) + t23b * (c5d - f2d);
+        c5b -= tb38;
+        c5bd -= tb38d;
+        f2b += tb38;
+        f2bd += tb38d;
+        tb39 = t23b * (c5 - f2);
+        tb39d = t23bd * (c5 - f2) + t23b * (c5d - f2d);
+        c5b -= tb39;
+        c5bd -= tb39d;
+        f2b += tb39;
+        f2bd += tb39d;
+      } else {
+        t29 = radius2 * radius2 - y2 * y2;
+        t29d = radius2d * radius2 + radius2 * radius2d - (y2d * y2 + y2 * y2d);
+        z3_3 = sqrt(t29);
+        z3_3d = 1.0 / (2.0 * z3_3) * t29d;
+        t30 = -x4 / z3_3;
+        t30d = (-x4d - t30 * z3_3d) * (1.0 / z3_3);
+        t30b = b41b;
+        t30bd = b41bd;
+        b41b = 0.0;
+        b41bd = 0.0;
+        tb57 = t30b / z3_3;
+        tb57d = (t30bd - tb57 * z3_3d) * (1.0 / z3_3);
+        x4b -= tb57;
+        x4bd -= tb57d;
+        z3_3b = -(tb57 * t30);
+        z3_3bd = -(tb57d * t30 + tb57 * t30d);
+        z3_3b += b40b;
+        z3_3bd += b40bd;
+        base2b -= b40b;
+        base2bd -= b40bd;
+        b40b = 0.0;
+        b40bd = 0.0;
+        t29b = z3_3b * (1.0 / (2.0 * z3_3));
+        t29bd = z3_3bd * (1.0 / (2.0 * z3_3)) - z3_3b * (1.0 / (2.0 * z3_3) * (2.0 * z3_3d) / (2.0 *
+            z3_3));
+        radius2b += t29b * radius2;
+        radius2bd += t29bd * radius2 + t29b * radius2d;
+        radius2b += t29b * radius2;
+        radius2bd += t29bd * radius2 + t29b * radius2d;
+        y2b -= t29b * y2;
+        y2bd -= t29bd * y2 + t29b * y2d;
+        y2b -= t29b * y2;
+        y2bd -= t29bd * y2 + t29b * y2d;
+      }
+      x4b += y2b * way2;
+      x4bd += y2bd * way2;
+      pb[t->roadadr[road] + MAGGI_BUMPS_FILLET] += f2b * 0.5;
+      pbd[t->roadadr[road] + MAGGI_BUMPS_FILLET] += f2bd * 0.5;
+      t22b = c5b * (1.0 / (2.0 * c5));
+      t22bd = c5bd * (1.0 / (2.0 * c5)) - c5b * (1.0 / (2.0 * c5) * (2.0 * c5d) / (2.0 * c5));
+      radius2b += t22b * radius2;
+      radius2bd += t22bd * radius2 + t22b * radius2d;
+      radius2b += t22b * radius2;
+      radius2bd += t22bd * radius2 + t22b * radius2d;
+      base2b -= t22b * base2;
+      base2bd -= t22bd * base2 + t22b * base2d;
+      base2b -= t22b * base2;
+      base2bd -= t22bd * base2 + t22b * base2d;
+      radius2b += base2b;
+      radius2bd += base2bd;
+      pb[t->roadadr[road] + MAGGI_BUMPS_HEIGHT] -= base2b;
+      pbd[t->roadadr[road] + MAGGI_BUMPS_HEIGHT] -= base2bd;
+      pb[t->roadadr[road]] += radius2b;
+      /* A cylinder across the road, at x from its axis:  h = sqrt(R^2 - x^2) - (R - height), up to where it
+       * meets the road, |x| = c.  From c - f to c + f a fillet with two continuous derivatives,
+       *   h = u^3 (h0 + a (1 - u) + b (1 - u)^2),  u = (c + f - |x|) / (2 f),  h0, a, b: h, h', h'' at u = 1 */
+      pbd[t->roadadr[road]] += radius2bd;
+      xb += x4b;
+      xbd += x4bd;
+      pb[t->roadadr[road] + MAGGI_BUMPS_FIRST] -= x4b;
+      pbd[t->roadadr[road] + MAGGI_BUMPS_FIRST] -= x4bd;
+      pb[t->roadadr[road] + MAGGI_BUMPS_SPACING] -= x4b * k7;
+      pbd[t->roadadr[road] + MAGGI_BUMPS_SPACING] -= x4bd * k7;
+    } else {
+      k9 = maggi_piece(t->np, p, t->roadadr[road], t->roadn[road], x);
+      h12b = 0.0;
+      h12bd = 0.0;
+      s31b = h11b;
+      s31bd = h11bd;
+      h11b = 0.0;
+      h11bd = 0.0;
+      s30b = h10b;
+      s30bd = h10bd;
+      h10b = 0.0;
+      h10bd = 0.0;
+      if (k9 < 0) {
+        p_road6 = p[t->roadadr[road]];
+        p_road6d = pd[t->roadadr[road]];
+        h2 = p[t->roadadr[road] + 1] - p_road6;
+        h2d = pd[t->roadadr[road] + 1] - p_road6d;
+        p_roadroad2 = p[t->roadadr[road] + t->roadn[road]];
+        p_roadroad2d = pd[t->roadadr[road] + t->roadn[road]];
+        t31 = (p[t->roadadr[road] + t->roadn[road] + 1] - p_roadroad2) / h2;
+        t31d = (pd[t->roadadr[road] + t->roadn[road] + 1] - p_roadroad2d - t31 * h2d) * (1.0 / h2);
+        slope2 = t31 - h2 / 6.0 * (2.0 * spline0[t->roadspline[road]][0] +
+            spline0[t->roadspline[road] + 1][0]);
+        slope2d = t31d - (h2d / 6.0 * (2.0 * spline0[t->roadspline[road]][0] +
+            spline0[t->roadspline[road] + 1][0]) + h2 / 6.0 * (2.0 *
+            spline0d[t->roadspline[road]][0] + spline0d[t->roadspline[road] + 1][0]));
+        slope2b = s31b;
+        slope2bd = s31bd;
+        s31b = 0.0;
+        s31bd = 0.0;
+        p_roadroad2b = s30b;
+        p_roadroad2bd = s30bd;
+        slope2b += s30b * (x - p_road6);
+        slope2bd += s30bd * (x - p_road6) + s30b * (xd - p_road6d);
+        tb60 = s30b * slope2;
+        tb60d = s30bd * slope2 + s30b * slope2d;
+        xb += tb60;
+        xbd += tb60d;
+        p_road6b = -tb60;
+        p_road6bd = -tb60d;
+        s30b = 0.0;
+        s30bd = 0.0;
+        t31b = slope2b;
+        t31bd = slope2bd;
+        h2b = -(slope2b * (2.0 * spline0[t->roadspline[road]][0] + spline0[t->roadspline[road] +
+            1][0]) / 6.0);
+        h2bd = -((slope2bd * (2.0 * spline0[t->roadspline[road]][0] + spline0[t->roadspline[road] +
+            1][0]) + slope2b * (2.0 * spline0d[t->roadspline[road]][0] +
+            spline0d[t->roadspline[road] + 1][0])) / 6.0);
+        tb59 = slope2b * (h2 / 6.0);
+        tb59d = slope2bd * (h2 / 6.0) + slope2b * (h2d / 6.0);
+        spline0b[t->roadspline[road]][0] -= tb59 * 2.0;
+        spline0bd[t->roadspline[road]][0] -= tb59d * 2.0;
+        spline0b[t->roadspline[road] + 1][0] -= tb59;
+        spline0bd[t->roadspline[road] + 1][0] -= tb59d;
+        tb58 = t31b / h2;
+        tb58d = (t31bd - tb58 * h2d) * (1.0 / h2);
+        pb[t->roadadr[road] + t->roadn[road] + 1] += tb58;
+        pbd[t->roadadr[road] + t->roadn[road] + 1] += tb58d;
+        p_roadroad2b -= tb58;
+        p_roadroad2bd -= tb58d;
+        h2b -= tb58 * t31;
+        h2bd -= tb58d * t31 + tb58 * t31d;
+        pb[t->roadadr[road] + t->roadn[road]] += p_roadroad2b;
+        pbd[t->roadadr[road] + t->roadn[road]] += p_roadroad2bd;
+        pb[t->roadadr[road] + 1] += h2b;
+        pbd[t->roadadr[road] + 1] += h2bd;
+        p_road6b -= h2b;
+        p_road6bd -= h2bd;
+        pb[t->roadadr[road]] += p_road6b;
+        pbd[t->roadadr[road]] += p_road6bd;
+      } else if (k9 > t->roadn[road] - 2) {
+        p5 = p[t->roadadr[road] + t->roadn[road] - 1];
+        p5d = pd[t->roadadr[road] + t->roadn[road] - 1];
+        h2_2 = p5 - p[t->roadadr[road] + t->roadn[road] - 2];
+        h2_2d = p5d - pd[t->roadadr[road] + t->roadn[road] - 2];
+        p6 = p[t->roadadr[road] + t->roadn[road] + t->roadn[road] - 1];
+        p6d = pd[t->roadadr[road] + t->roadn[road] + t->roadn[road] - 1];
+        t32 = (p6 - p[t->roadadr[road] + t->roadn[road] + t->roadn[road] - 2]) / h2_2;
+        t32d = (p6d - pd[t->roadadr[road] + t->roadn[road] + t->roadn[road] - 2] - t32 * h2_2d) *
+            (1.0 / h2_2);
+        slope2_2 = t32 + h2_2 / 6.0 * (spline0[t->roadspline[road] + t->roadn[road] - 2][0] + 2.0 *
+            spline0[t->roadspline[road] + t->roadn[road] - 1][0]);
+        slope2_2d = t32d + (h2_2d / 6.0 * (spline0[t->roadspline[road] + t->roadn[road] - 2][0] +
+            2.0 * spline0[t->roadspline[road] + t->roadn[road] - 1][0]) + h2_2 / 6.0 *
+            (spline0d[t->roadspline[road] + t->roadn[road] - 2][0] + 2.0 *
+            spline0d[t->roadspline[road] + t->roadn[road] - 1][0]));
+        slope2_2b = s31b;
+        slope2_2bd = s31bd;
+        s31b = 0.0;
+        s31bd = 0.0;
+        p6b = s30b;
+        p6bd = s30bd;
+        slope2_2b += s30b * (x - p5);
+        slope2_2bd += s30bd * (x - p5) + s30b * (xd - p5d);
+        tb63 = s30b * slope2_2;
+        tb63d = s30bd * slope2_2 + s30b * slope2_2d;
+        xb += tb63;
+        xbd += tb63d;
+        p5b = -tb63;
+        p5bd = -tb63d;
+        s30b = 0.0;
+        s30bd = 0.0;
+        t32b = slope2_2b;
+        t32bd = slope2_2bd;
+        h2_2b = slope2_2b * (spline0[t->roadspline[road] + t->roadn[road] - 2][0] + 2.0 *
+            spline0[t->roadspline[road] + t->roadn[road] - 1][0]) / 6.0;
+        h2_2bd = (slope2_2bd * (spline0[t->roadspline[road] + t->roadn[road] - 2][0] + 2.0 *
+            spline0[t->roadspline[road] + t->roadn[road] - 1][0]) + slope2_2b *
+            (spline0d[t->roadspline[road] + t->roadn[road] - 2][0] + 2.0 *
+            spline0d[t->roadspline[road] + t->roadn[road] - 1][0])) / 6.0;
+        tb62 = slope2_2b * (h2_2 / 6.0);
+        tb62d = slope2_2bd * (h2_2 / 6.0) + slope2_2b * (h2_2d / 6.0);
+        spline0b[t->roadspline[road] + t->roadn[road] - 2][0] += tb62;
+        spline0bd[t->roadspline[road] + t->roadn[road] - 2][0] += tb62d;
+        spline0b[t->roadspline[road] + t->roadn[road] - 1][0] += tb62 * 2.0;
+        spline0bd[t->roadspline[road] + t->roadn[road] - 1][0] += tb62d * 2.0;
+        tb61 = t32b / h2_2;
+        tb61d = (t32bd - tb61 * h2_2d) * (1.0 / h2_2);
+        p6b += tb61;
+        p6bd += tb61d;
+        pb[t->roadadr[road] + t->roadn[road] + t->roadn[road] - 2] -= tb61;
+        pbd[t->roadadr[road] + t->roadn[road] + t->roadn[road] - 2] -= tb61d;
+        h2_2b -= tb61 * t32;
+        h2_2bd -= tb61d * t32 + tb61 * t32d;
+        pb[t->roadadr[road] + t->roadn[road] + t->roadn[road] - 1] += p6b;
+        pbd[t->roadadr[road] + t->roadn[road] + t->roadn[road] - 1] += p6bd;
+        p5b += h2_2b;
+        p5bd += h2_2bd;
+        pb[t->roadadr[road] + t->roadn[road] - 2] -= h2_2b;
+        pbd[t->roadadr[road] + t->roadn[road] - 2] -= h2_2bd;
+        pb[t->roadadr[road] + t->roadn[road] - 1] += p5b;
+        pbd[t->roadadr[road] + t->roadn[road] - 1] += p5bd;
+      } else {
+        p_roadk91 = p[t->roadadr[road] + k9 + 1];
+        p_roadk91d = pd[t->roadadr[road] + k9 + 1];
+        p_roadk9 = p[t->roadadr[road] + k9];
+        p_roadk9d = pd[t->roadadr[road] + k9];
+        h2_3 = p_roadk91 - p_roadk9;
+        h2_3d = p_roadk91d - p_roadk9d;
+        a4 = p_roadk91 - x;
+        a4d = p_roadk91d - xd;
+        c6 = x - p_roadk9;
+        c6d = xd - p_roadk9d;
+        p7 = p[t->roadadr[road] + t->roadn[road] + k9];
+        p7d = pd[t->roadadr[road] + t->roadn[road] + k9];
+        t33 = (p[t->roadadr[road] + t->roadn[road] + k9 + 1] - p7) / h2_3;
+        t33d = (pd[t->roadadr[road] + t->roadn[road] + k9 + 1] - p7d - t33 * h2_3d) * (1.0 / h2_3);
+        spline0_roadk910 = spline0[t->roadspline[road] + k9 + 1][0];
+        spline0_roadk910d = spline0d[t->roadspline[road] + k9 + 1][0];
+        spline0_roadk90 = spline0[t->roadspline[road] + k9][0];
+        spline0_roadk90d = spline0d[t->roadspline[road] + k9][0];
+        e2 = t33 - h2_3 / 6.0 * (spline0_roadk910 - spline0_roadk90);
+        e2d = t33d - (h2_3d / 6.0 * (spline0_roadk910 - spline0_roadk90) + h2_3 / 6.0 *
+            (spline0_roadk910d - spline0_roadk90d));
+        t34 = 6.0 * h2_3;
+        t34d = 6.0 * h2_3d;
+        t35 = (spline0_roadk90 * a4 * a4 * a4 + spline0_roadk910 * c6 * c6 * c6) / t34;
+        t35d = (((spline0_roadk90d * a4 + spline0_roadk90 * a4d) * a4 + spline0_roadk90 * a4 * a4d)
+            * a4 + spline0_roadk90 * a4 * a4 * a4d + (((spline0_roadk910d * c6 + spline0_roadk910 *
+            c6d) * c6 + spline0_roadk910 * c6 * c6d) * c6 + spline0_roadk910 * c6 * c6 * c6d) - t35
+            * t34d) * (1.0 / t34);
+        t36 = 2.0 * h2_3;
+        t36d = 2.0 * h2_3d;
+        t37 = (spline0_roadk910 * c6 * c6 - spline0_roadk90 * a4 * a4) / t36;
+        t37d = ((spline0_roadk910d * c6 + spline0_roadk910 * c6d) * c6 + spline0_roadk910 * c6 * c6d
+            - ((spline0_roadk90d * a4 + spline0_roadk90 * a4d) * a4 + spline0_roadk90 * a4 * a4d) -
+            t37 * t36d) * (1.0 / t36);
+        t37b = s31b;
+        t37bd = s31bd;
+        e2b = s31b;
+        e2bd = s31bd;
+        s31b = 0.0;
+        s31bd = 0.0;
+        tb73 = t37b / t36;
+        tb73d = (t37bd - tb73 * t36d) * (1.0 / t36);
+        tb74 = tb73 * c6;
+        tb74d = tb73d * c6 + tb73 * c6d;
+        spline0_roadk910b = tb74 * c6;
+        spline0_roadk910bd = tb74d * c6 + tb74 * c6d;
+        c6b = tb74 * spline0_roadk910;
+        c6bd = tb74d * spline0_roadk910 + tb74 * spline0_roadk910d;
+        c6b += tb73 * (spline0_roadk910 * c6);
+        c6bd += tb73d * (spline0_roadk910 * c6) + tb73 * (spline0_roadk910d * c6 + spline0_roadk910
+            * c6d);
+        tb75 = tb73 * a4;
+        tb75d = tb73d * a4 + tb73 * a4d;
+        spline0_roadk90b = -(tb75 * a4);
+        spline0_roadk90bd = -(tb75d * a4 + tb75 * a4d);
+        a4b = -(tb75 * spline0_roadk90);
+        a4bd = -(tb75d * spline0_roadk90 + tb75 * spline0_roadk90d);
+        a4b -= tb73 * (spline0_roadk90 * a4);
+        a4bd -= tb73d * (spline0_roadk90 * a4) + tb73 * (spline0_roadk90d * a4 + spline0_roadk90 *
+            a4d);
+        t36b = -(tb73 * t37);
+        t36bd = -(tb73d * t37 + tb73 * t37d);
+        h2_3b = t36b * 2.0;
+        h2_3bd = t36bd * 2.0;
+        t35b = s30b;
+        t35bd = s30bd;
+        p7b = s30b;
+        p7bd = s30bd;
+        tb71 = s30b / 6.0;
+        tb71d = s30bd / 6.0;
+        tb72 = tb71 * h2_3;
+        tb72d = tb71d * h2_3 + tb71 * h2_3d;
+        spline0_roadk90b -= tb72 * h2_3;
+        spline0_roadk90bd -= tb72d * h2_3 + tb72 * h2_3d;
+        h2_3b -= tb72 * spline0_roadk90;
+        h2_3bd -= tb72d * spline0_roadk90 + tb72 * spline0_roadk90d;
+        h2_3b -= tb71 * (spline0_roadk90 * h2_3);
+        h2_3bd -= tb71d * (spline0_roadk90 * h2_3) + tb71 * (spline0_roadk90d * h2_3 +
+            spline0_roadk90 * h2_3d);
+        e2b += s30b * c6;
+        e2bd += s30bd * c6 + s30b * c6d;
+        c6b += s30b * e2;
+        c6bd += s30bd * e2 + s30b * e2d;
+        s30b = 0.0;
+        s30bd = 0.0;
+        tb66 = t35b / t34;
+        tb66d = (t35bd - tb66 * t34d) * (1.0 / t34);
+        tb67 = tb66 * a4;
+        tb67d = tb66d * a4 + tb66 * a4d;
+        tb68 = tb67 * a4;
+        tb68d = tb67d * a4 + tb67 * a4d;
+        spline0_roadk90b += tb68 * a4;
+        spline0_roadk90bd += tb68d * a4 + tb68 * a4d;
+        a4b += tb68 * spline0_roadk90;
+        a4bd += tb68d * spline0_roadk90 + tb68 * spline0_roadk90d;
+        a4b += tb67 * (spline0_roadk90 * a4);
+        a4bd += tb67d * (spline0_roadk90 * a4) + tb67 * (spline0_roadk90d * a4 + spline0_roadk90 *
+            a4d);
+        a4b += tb66 * (spline0_roadk90 * a4 * a4);
+        a4bd += tb66d * (spline0_roadk90 * a4 * a4) + tb66 * ((spline0_roadk90d * a4 +
+            spline0_roadk90 * a4d) * a4 + spline0_roadk90 * a4 * a4d);
+        tb69 = tb66 * c6;
+        tb69d = tb66d * c6 + tb66 * c6d;
+        tb70 = tb69 * c6;
+        tb70d = tb69d * c6 + tb69 * c6d;
+        spline0_roadk910b += tb70 * c6;
+        spline0_roadk910bd += tb70d * c6 + tb70 * c6d;
+        c6b += tb70 * spline0_roadk910;
+        c6bd += tb70d * spline0_roadk910 + tb70 * spline0_roadk910d;
+        c6b += tb69 * (spline0_roadk910 * c6);
+        c6bd += tb69d * (spline0_roadk910 * c6) + tb69 * (spline0_roadk910d * c6 + spline0_roadk910
+            * c6d);
+        c6b += tb66 * (spline0_roadk910 * c6 * c6);
+        c6bd += tb66d * (spline0_roadk910 * c6 * c6) + tb66 * ((spline0_roadk910d * c6 +
+            spline0_roadk910 * c6d) * c6 + spline0_roadk910 * c6 * c6d);
+        t34b = -(tb66 * t35);
+        t34bd = -(tb66d * t35 + tb66 * t35d);
+        h2_3b += t34b * 6.0;
+        h2_3bd += t34bd * 6.0;
+        t33b = e2b;
+        t33bd = e2bd;
+        h2_3b -= e2b * (spline0_roadk910 - spline0_roadk90) / 6.0;
+        h2_3bd -= (e2bd * (spline0_roadk910 - spline0_roadk90) + e2b * (spline0_roadk910d -
+            spline0_roadk90d)) / 6.0;
+        tb65 = e2b * (h2_3 / 6.0);
+        tb65d = e2bd * (h2_3 / 6.0) + e2b * (h2_3d / 6.0);
+        spline0_roadk910b -= tb65;
+        spline0_roadk910bd -= tb65d;
+        spline0_roadk90b += tb65;
+        spline0_roadk90bd += tb65d;
+        spline0b[t->roadspline[road] + k9][0] += spline0_roadk90b;
+        spline0bd[t->roadspline[road] + k9][0] += spline0_roadk90bd;
+        spline0b[t->roadspline[road] + k9 + 1][0] += spline0_roadk910b;
+        spline0bd[t->roadspline[road] + k9 + 1][0] += spline0_roadk910bd;
+        tb64 = t33b / h2_3;
+        tb64d = (t33bd - tb64 * h2_3d) * (1.0 / h2_3);
+        pb[t->roadadr[road] + t->roadn[road] + k9 + 1] += tb64;
+        pbd[t->roadadr[road] + t->roadn[road] + k9 + 1] += tb64d;
+        p7b -= tb64;
+        p7bd -= tb64d;
+        h2_3b -= tb64 * t33;
+        h2_3bd -= tb64d * t33 + tb64 * t33d;
+        pb[t->roadadr[road] + t->roadn[road] + k9] += p7b;
+        pbd[t->roadadr[road] + t->roadn[road] + k9] += p7bd;
+        xb += c6b;
+        xbd += c6bd;
+        p_roadk9b = -c6b;
+        p_roadk9bd = -c6bd;
+        p_roadk91b = a4b;
+        p_roadk91bd = a4bd;
+        xb -= a4b;
+        xbd -= a4bd;
+        p_roadk91b += h2_3b;
+        p_roadk91bd += h2_3bd;
+        p_roadk9b -= h2_3b;
+        p_roadk9bd -= h2_3bd;
+        pb[t->roadadr[road] + k9] += p_roadk9b;
+        pbd[t->roadadr[road] + k9] += p_roadk9bd;
+        pb[t->roadadr[road] + k9 + 1] += p_roadk91b;
+        pbd[t->roadadr[road] + k9 + 1] += p_roadk91bd;
+      }
+    }
+    g0b += xb;
+    g0bd += xbd;
+    t17b = xb * (g2 - h00);
+    t17bd = xbd * (g2 - h00) + xb * (g2d - h00d);
+    tb35 = xb * t17;
+    tb35d = xbd * t17 + xb * t17d;
+    g2b += tb35;
+    g2bd += tb35d;
+    h00b = -tb35;
+    h00bd = -tb35d;
+    tb34 = t17b / t16;
+    tb34d = (t17bd - tb34 * t16d) * (1.0 / t16);
+    u2_2b += tb34 * u0;
+    u2_2bd += tb34d * u0 + tb34 * u0d;
+    u0b += tb34 * u2_2;
+    u0bd += tb34d * u2_2 + tb34 * u2_2d;
+    t16b = -(tb34 * t17);
+    t16bd = -(tb34d * t17 + tb34 * t17d);
+    u0b += t16b * u0;
+    u0bd += t16bd * u0 + t16b * u0d;
+    u0b += t16b * u0;
+    u0bd += t16bd * u0 + t16b * u0d;
+    u1b += t16b * u1;
+    u1bd += t16bd * u1 + t16b * u1d;
+    u1b += t16b * u1;
+    u1bd += t16bd * u1 + t16b * u1d;
+    x2b = 0.0;
+    x2bd = 0.0;
+    if (t->roadkind[road] == MAGGI_ROAD_FLAT) {
+      p_road = p[t->roadadr[road]];
+      p_roadd = pd[t->roadadr[road]];
+      p_roadb = h00b * x2;
+      p_roadbd = h00bd * x2 + h00b * x2d;
+      x2b += h00b * p_road;
+      x2bd += h00bd * p_road + h00b * p_roadd;
+      h00b = 0.0;
+      h00bd = 0.0;
+      pb[t->roadadr[road]] += p_roadb;
+      pbd[t->roadadr[road]] += p_roadbd;
+    } else if (t->roadkind[road] == MAGGI_ROAD_SINE) {
+      k5 = 6.28318530717958647693 / p[t->roadadr[road] + 1];
+      k5d = -(k5 * pd[t->roadadr[road] + 1] * (1.0 / p[t->roadadr[road] + 1]));
+      t3 = k5 * x2;
+      t3d = k5d * x2 + k5 * x2d;
+      t4 = sin(t3);
+      t4d = cos(t3) * t3d;
+      p_road2 = p[t->roadadr[road]];
+      p_road2d = pd[t->roadadr[road]];
+      p_road2b = h00b * t4;
+      p_road2bd = h00bd * t4 + h00b * t4d;
+      t4b = h00b * p_road2;
+      t4bd = h00bd * p_road2 + h00b * p_road2d;
+      h00b = 0.0;
+      h00bd = 0.0;
+      pb[t->roadadr[road]] += p_road2b;
+      pbd[t->roadadr[road]] += p_road2bd;
+      t3b = t4b * cos(t3);
+      t3bd = t4bd * cos(t3) - t4b * (sin(t3) * t3d);
+      k5b = t3b * x2;
+      k5bd = t3bd * x2 + t3b * x2d;
+      x2b += t3b * k5;
+      x2bd += t3bd * k5 + t3b * k5d;
+      tb5 = k5b / p[t->roadadr[road] + 1];
+      tb5d = (k5bd - tb5 * pd[t->roadadr[road] + 1]) * (1.0 / p[t->roadadr[road] + 1]);
+      pb[t->roadadr[road] + 1] -= tb5 * k5;
+      pbd[t->roadadr[road] + 1] -= tb5d * k5 + tb5 * k5d;
+    } else if (t->roadkind[road] == MAGGI_ROAD_BUMPS) {
+      k4 = nearest_nodiff(t->np, p, t->roadadr[road], t->roadn[road], x2);
+      x3 = x2 - p[t->roadadr[road] + MAGGI_BUMPS_FIRST] - k4 * p[t->roadadr[road] +
+          MAGGI_BUMPS_SPACING];
+      x3d = x2d - pd[t->roadadr[road] + MAGGI_BUMPS_FIRST] - k4 * pd[t->roadadr[road] +
+          MAGGI_BUMPS_SPACING];
+      radius = p[t->roadadr[road]];
+      radiusd = pd[t->roadadr[road]];
+      base = radius - p[t->roadadr[road] + MAGGI_BUMPS_HEIGHT];
+      based = radiusd - pd[t->roadadr[road] + MAGGI_BUMPS_HEIGHT];
+      t5 = radius * radius - base * base;
+      t5d = radiusd * radius + radius * radiusd - (based * base + base * based);
+      c3 = sqrt(t5);
+      c3d = 1.0 / (2.0 * c3) * t5d;
+      f = 0.5 * p[t->roadadr[road] + MAGGI_BUMPS_FILLET];
+      fd = 0.5 * pd[t->roadadr[road] + MAGGI_BUMPS_FILLET];
+      if (MAGGI_RE(x3) > 0.0) {
+        way = 1.0;
+      } else {
+        way = -1.0;
+      }
+      y = way * x3;
+      yd = way * x3d;
+      b20b = h00b;
+      b20bd = h00bd;
+      h00b = 0.0;
+      h00bd = 0.0;
+      baseb = 0.0;
+      basebd = 0.0;
+      c3b = 0.0;
+      c3bd = 0.0;
+      fb = 0.0;
+      fbd = 0.0;
+      radiusb = 0.0;
+      radiusbd = 0.0;
+      yb = 0.0;
+      ybd = 0.0;
+      if (MAGGI_RE(y) >= MAGGI_RE(c3 + f)) {
+        b20b = 0.0;
+        b20bd = 0.0;
+      } else if (MAGGI_RE(y) > MAGGI_RE(c3 - f)) {
+        t6 = radius * radius - (c3 - f) * (c3 - f);
+        t6d = radiusd * radius + radius * radiusd - ((c3d - fd) * (c3 - f) + (c3 - f) * (c3d - fd));
+        z2 = sqrt(t6);
+        z2d = 1.0 / (2.0 * z2) * t6d;
+        h0_2 = z2 - base;
+        h0_2d = z2d - based;
+        h1_2 = 2.0 * f * (c3 - f) / z2;
+        h1_2d = (2.0 * fd * (c3 - f) + 2.0 * f * (c3d - fd) - h1_2 * z2d) * (1.0 / z2);
+        a = 3.0 * h0_2 - h1_2;
+        ad = 3.0 * h0_2d - h1_2d;
+        t7 = z2 * z2 * z2;
+        t7d = (z2d * z2 + z2 * z2d) * z2 + z2 * z2 * z2d;
+        t8 = 2.0 * f * f * radius * radius / t7;
+        t8d = (((2.0 * fd * f + 2.0 * f * fd) * radius + 2.0 * f * f * radiusd) * radius + 2.0 * f *
+            f * radius * radiusd - t8 * t7d) * (1.0 / t7);
+        b3 = 6.0 * h0_2 - 3.0 * h1_2 - t8;
+        b3d = 6.0 * h0_2d - 3.0 * h1_2d - t8d;
+        t9 = 2.0 * f;
+        t9d = 2.0 * fd;
+        u2 = (c3 + f - y) / t9;
+        u2d = (c3d + fd - yd - u2 * t9d) * (1.0 / t9);
+        w3 = 1.0 - u2;
+        w3d = -u2d;
+        tb15 = b20b * (h0_2 + w3 * (a + w3 * b3));
+        tb15d = b20bd * (h0_2 + w3 * (a + w3 * b3)) + b20b * (h0_2d + (w3d * (a + w3 * b3) + w3 *
+            (ad + (w3d * b3 + w3 * b3d))));
+        tb16 = tb15 * u2;
+        tb16d = tb15d * u2 + tb15 * u2d;
+        u2b = tb16 * u2;
+        u2bd = tb16d * u2 + tb16 * u2d;
+        u2b += tb16 * u2;
+        u2bd += tb16d * u2 + tb16 * u2d;
+        u2b += tb15 * (u2 * u2);
+        u2bd += tb15d * (u2 * u2) + tb15 * (u2d * u2 + u2 * u2d);
+        tb17 = b20b * (u2 * u2 * u2);
+        tb17d = b20bd * (u2 * u2 * u2) + b20b * ((u2d * u2 + u2 * u2d) * u2 + u2 * u2 * u2d);
+        h0_2b = tb17;
+        h0_2bd = tb17d;
+        w3b = tb17 * (a + w3 * b3);
+        w3bd = tb17d * (a + w3 * b3) + tb17 * (ad + (w3d * b3 + w3 * b3d));
+        tb18 = tb17 * w3;
+        tb18d = tb17d * w3 + tb17 * w3d;
+        ab = tb18;
+        abd = tb18d;
+        w3b += tb18 * b3;
+        w3bd += tb18d * b3 + tb18 * b3d;
+        b3b = tb18 * w3;
+        b3bd = tb18d * w3 + tb18 * w3d;
+        b20b = 0.0;
+        b20bd = 0.0;
+        u2b -= w3b;
+        u2bd -= w3bd;
+        tb14 = u2b / t9;
+        tb14d = (u2bd - tb14 * t9d) * (1.0 / t9);
+        c3b += tb14;
+        c3bd += tb14d;
+        fb += tb14;
+        fbd += tb14d;
+        yb -= tb14;
+        ybd -= tb14d;
+        t9b = -(tb14 * u2);
+        t9bd = -(tb14d * u2 + tb14 * u2d);
+        fb += t9b * 2.0;
+        fbd += t9bd * 2.0;
+        h0_2b += b3b * 6.0;
+        h0_2bd += b3bd * 6.0;
+        h1_2b = -(b3b * 3.0);
+        h1_2bd = -(b3bd * 3.0);
+        t8b = -b3b;
+        t8bd = -b3bd;
+        tb11 = t8b / t7;
+        tb11d = (t8bd - tb11 * t7d) * (1.0 / t7);
+        tb12 = tb11 * radius;
+        tb12d = tb11d * radius + tb11 * radiusd;
+        tb13 = tb12 * radius;
+        tb13d = tb12d * radius + tb12 * radiusd;
+        fb += tb13 * f * 2.0;
+        fbd += (tb13d * f + tb13 * fd) * 2.0;
+        fb += tb13 * (2.0 * f);
+        fbd += tb13d * (2.0 * f) + tb13 * (2.0 * fd);
+        radiusb += tb12 * (2.0 * f * f);
+        radiusbd += tb12d * (2.0 * f * f) + tb12 * (2.0 * fd * f + 2.0 * f * fd);
+        radiusb += tb11 * (2.0 * f * f * radius);
+        radiusbd += tb11d * (2.0 * f * f * radius) + tb11 * ((2.0 * fd * f + 2.0 * f * fd) * radius
+            + 2.0 * f * f * radiusd);
+        t7b = -(tb11 * t8);
+        t7bd = -(tb11d * t8 + tb11 * t8d);
+        tb10 = t7b * z2;
+        tb10d = t7bd * z2 + t7b * z2d;
+        z2b = tb10 * z2;
+        z2bd = tb10d * z2 + tb10 * z2d;
+        z2b += tb10 * z2;
+        z2bd += tb10d * z2 + tb10 * z2d;
+        z2b += t7b * (z2 * z2);
+        z2bd += t7bd * (z2 * z2) + t7b * (z2d * z2 + z2 * z2d);
+        h0_2b += ab * 3.0;
+        h0_2bd += abd * 3.0;
+        h1_2b -= ab;
+        h1_2bd -= abd;
+        tb8 = h1_2b / z2;
+        tb8d = (h1_2bd - tb8 * z2d) * (1.0 / z2);
+        fb += tb8 * (c3 - f) * 2.0;
+        fbd += (tb8d * (c3 - f) + tb8 * (c3d - fd)) * 2.0;
+        tb9 = tb8 * (2.0 * f);
+        tb9d = tb8d * (2.0 * f) + tb8 * (2.0 * fd);
+        c3b += tb9;
+        c3bd += tb9d;
+        fb -= tb9;
+        fbd -= tb9d;
+        z2b -= tb8 * h1_2;
+        z2bd -= tb8d * h1_2 + tb8 * h1_2d;
+        z2b += h0_2b;
+        z2bd += h0_2bd;
+        baseb -= h0_2b;
+        basebd -= h0_2bd;
+        t6b = z2b * (1.0 / (2.0 * z2));
+        t6bd = z2bd * (1.0 / (2.0 * z2)) - z2b * (1.0 / (2.0 * z2) * (2.0 * z2d) / (2.0 * z2));
+        radiusb += t6b * radius;
+        radiusbd += t6bd * radius + t6b * radiusd;
+        radiusb += t6b * radius;
+        radiusbd += t6bd * radius + t6b * radiusd;
+        tb6 = t6b * (c3 - f);
+        tb6d = t6bd * (c3 - f) + t6b * (c3d - fd);
+        c3b -= tb6;
+        c3bd -= tb6d;
+        fb += tb6;
+        fbd += tb6d;
+        tb7 = t6b * (c3 - f);
+        tb7d = t6bd * (c3 - f) + t6b * (c3d - fd);
+        c3b -= tb7;
+        c3bd -= tb7d;
+        fb += tb7;
+        fbd += tb7d;
+      } else {
+        t10 = radius * radius - y * y;
+        t10d = radiusd * radius + radius * radiusd - (yd * y + y * yd);
+        z2_3 = sqrt(t10);
+        z2_3d = 1.0 / (2.0 * z2_3) * t10d;
+        z2_3b = b20b;
+        z2_3bd = b20bd;
+        baseb -= b20b;
+        basebd -= b20bd;
+        b20b = 0.0;
+        b20bd = 0.0;
+        t10b = z2_3b * (1.0 / (2.0 * z2_3));
+        t10bd = z2_3bd * (1.0 / (2.0 * z2_3)) - z2_3b * (1.0 / (2.0 * z2_3) * (2.0 * z2_3d) / (2.0 *
+            z2_3));
+        radiusb += t10b * radius;
+        radiusbd += t10bd * radius + t10b * radiusd;
+        radiusb += t10b * radius;
+        radiusbd += t10bd * radius + t10b * radiusd;
+        yb -= t10b * y;
+        ybd -= t10bd * y + t10b * yd;
+        yb -= t10b * y;
+        ybd -= t10bd * y + t10b * yd;
+      }
+      x3b = yb * way;
+      x3bd = ybd * way;
+      pb[t->roadadr[road] + MAGGI_BUMPS_FILLET] += fb * 0.5;
+      pbd[t->roadadr[road] + MAGGI_BUMPS_FILLET] += fbd * 0.5;
+      t5b = c3b * (1.0 / (2.0 * c3));
+      t5bd = c3bd * (1.0 / (2.0 * c3)) - c3b * (1.0 / (2.0 * c3) * (2.0 * c3d) / (2.0 * c3));
+      radiusb += t5b * radius;
+      radiusbd += t5bd * radius + t5b * radiusd;
+      radiusb += t5b * radius;
+      radiusbd += t5bd * radius + t5b * radiusd;
+      baseb -= t5b * base;
+      basebd -= t5bd * base + t5b * based;
+      baseb -= t5b * base;
+      basebd -= t5bd * base + t5b * based;
+      radiusb += baseb;
+      radiusbd += basebd;
+      pb[t->roadadr[road] + MAGGI_BUMPS_HEIGHT] -= baseb;
+      pbd[t->roadadr[road] + MAGGI_BUMPS_HEIGHT] -= basebd;
+      pb[t->roadadr[road]] += radiusb;
+      /* A cylinder across the road, at x from its axis:  h = sqrt(R^2 - x^2) - (R - height), up to where it
+       * meets the road, |x| = c.  From c - f to c + f a fillet with two continuous derivatives,
+       *   h = u^3 (h0 + a (1 - u) + b (1 - u)^2),  u = (c + f - |x|) / (2 f),  h0, a, b: h, h', h'' at u = 1 */
+      pbd[t->roadadr[road]] += radiusbd;
+      x2b += x3b;
+      x2bd += x3bd;
+      pb[t->roadadr[road] + MAGGI_BUMPS_FIRST] -= x3b;
+      pbd[t->roadadr[road] + MAGGI_BUMPS_FIRST] -= x3bd;
+      pb[t->roadadr[road] + MAGGI_BUMPS_SPACING] -= x3b * k4;
+      pbd[t->roadadr[road] + MAGGI_BUMPS_SPACING] -= x3bd * k4;
+    } else {
+      k6 = maggi_piece(t->np, p, t->roadadr[road], t->roadn[road], x2);
+      s20b = h00b;
+      s20bd = h00bd;
+      h00b = 0.0;
+      h00bd = 0.0;
+      if (k6 < 0) {
+        p_road3 = p[t->roadadr[road]];
+        p_road3d = pd[t->roadadr[road]];
+        h = p[t->roadadr[road] + 1] - p_road3;
+        hd = pd[t->roadadr[road] + 1] - p_road3d;
+        p_roadroad = p[t->roadadr[road] + t->roadn[road]];
+        p_roadroadd = pd[t->roadadr[road] + t->roadn[road]];
+        t11 = (p[t->roadadr[road] + t->roadn[road] + 1] - p_roadroad) / h;
+        t11d = (pd[t->roadadr[road] + t->roadn[road] + 1] - p_roadroadd - t11 * hd) * (1.0 / h);
+        slope = t11 - h / 6.0 * (2.0 * spline0[t->roadspline[road]][0] + spline0[t->roadspline[road]
+            + 1][0]);
+        sloped = t11d - (hd / 6.0 * (2.0 * spline0[t->roadspline[road]][0] +
+            spline0[t->roadspline[road] + 1][0]) + h / 6.0 * (2.0 * spline0d[t->roadspline[road]][0]
+            + spline0d[t->roadspline[road] + 1][0]));
+        p_roadroadb = s20b;
+        p_roadroadbd = s20bd;
+        slopeb = s20b * (x2 - p_road3);
+        slopebd = s20bd * (x2 - p_road3) + s20b * (x2d - p_road3d);
+        tb21 = s20b * slope;
+        tb21d = s20bd * slope + s20b * sloped;
+        x2b += tb21;
+        x2bd += tb21d;
+        p_road3b = -tb21;
+        p_road3bd = -tb21d;
+        s20b = 0.0;
+        s20bd = 0.0;
+        t11b = slopeb;
+        t11bd = slopebd;
+        hb = -(slopeb * (2.0 * spline0[t->roadspline[road]][0] + spline0[t->roadspline[road] +
+            1][0]) / 6.0);
+        hbd = -((slopebd * (2.0 * spline0[t->roadspline[road]][0] + spline0[t->roadspline[road] +
+            1][0]) + slopeb * (2.0 * spline0d[t->roadspline[road]][0] + spline0d[t->roadspline[road]
+            + 1][0])) / 6.0);
+        tb20 = slopeb * (h / 6.0);
+        tb20d = slopebd * (h / 6.0) + slopeb * (hd / 6.0);
+        spline0b[t->roadspline[road]][0] -= tb20 * 2.0;
+        spline0bd[t->roadspline[road]][0] -= tb20d * 2.0;
+        spline0b[t->roadspline[road] + 1][0] -= tb20;
+        spline0bd[t->roadspline[road] + 1][0] -= tb20d;
+        tb19 = t11b / h;
+        tb19d = (t11bd - tb19 * hd) * (1.0 / h);
+        pb[t->roadadr[road] + t->roadn[road] + 1] += tb19;
+        pbd[t->roadadr[road] + t->roadn[road] + 1] += tb19d;
+        p_roadroadb -= tb19;
+        p_roadroadbd -= tb19d;
+        hb -= tb19 * t11;
+        hbd -= tb19d * t11 + tb19 * t11d;
+        pb[t->roadadr[road] + t->roadn[road]] += p_roadroadb;
+        pbd[t->roadadr[road] + t->roadn[road]] += p_roadroadbd;
+        pb[t->roadadr[road] + 1] += hb;
+        pbd[t->roadadr[road] + 1] += hbd;
+        p_road3b -= hb;
+        p_road3bd -= hbd;
+        pb[t->roadadr[road]] += p_road3b;
+        pbd[t->roadadr[road]] += p_road3bd;
+      } else if (k6 > t->roadn[road] - 2) {
+        p2 = p[t->roadadr[road] + t->roadn[road] - 1];
+        p2d = pd[t->roadadr[road] + t->roadn[road] - 1];
+        h3 = p2 - p[t->roadadr[road] + t->roadn[road] - 2];
+        h3d = p2d - pd[t->roadadr[road] + t->roadn[road] - 2];
+        p3 = p[t->roadadr[road] + t->roadn[road] + t->roadn[road] - 1];
+        p3d = pd[t->roadadr[road] + t->roadn[road] + t->roadn[road] - 1];
+        t12 = (p3 - p[t->roadadr[road] + t->roadn[road] + t->roadn[road] - 2]) / h3;
+        t12d = (p3d - pd[t->roadadr[road] + t->roadn[road] + t->roadn[road] - 2] - t12 * h3d) * (1.0
+            / h3);
+        slope3 = t12 + h3 / 6.0 * (spline0[t->roadspline[road] + t->roadn[road] - 2][0] + 2.0 *
+            spline0[t->roadspline[road] + t->roadn[road] - 1][0]);
+        slope3d = t12d + (h3d / 6.0 * (spline0[t->roadspline[road] + t->roadn[road] - 2][0] + 2.0 *
+            spline0[t->roadspline[road] + t->roadn[road] - 1][0]) + h3 / 6.0 *
+            (spline0d[t->roadspline[road] + t->roadn[road] - 2][0] + 2.0 *
+            spline0d[t->roadspline[road] + t->roadn[road] - 1][0]));
+        p3b = s20b;
+        p3bd = s20bd;
+        slope3b = s20b * (x2 - p2);
+        slope3bd = s20bd * (x2 - p2) + s20b * (x2d - p2d);
+        tb24 = s20b * slope3;
+        tb24d = s20bd * slope3 + s20b * slope3d;
+        x2b += tb24;
+        x2bd += tb24d;
+        p2b = -tb24;
+        p2bd = -tb24d;
+        s20b = 0.0;
+        s20bd = 0.0;
+        t12b = slope3b;
+        t12bd = slope3bd;
+        h3b = slope3b * (spline0[t->roadspline[road] + t->roadn[road] - 2][0] + 2.0 *
+            spline0[t->roadspline[road] + t->roadn[road] - 1][0]) / 6.0;
+        h3bd = (slope3bd * (spline0[t->roadspline[road] + t->roadn[road] - 2][0] + 2.0 *
+            spline0[t->roadspline[road] + t->roadn[road] - 1][0]) + slope3b *
+            (spline0d[t->roadspline[road] + t->roadn[road] - 2][0] + 2.0 *
+            spline0d[t->roadspline[road] + t->roadn[road] - 1][0])) / 6.0;
+        tb23 = slope3b * (h3 / 6.0);
+        tb23d = slope3bd * (h3 / 6.0) + slope3b * (h3d / 6.0);
+        spline0b[t->roadspline[road] + t->roadn[road] - 2][0] += tb23;
+        spline0bd[t->roadspline[road] + t->roadn[road] - 2][0] += tb23d;
+        spline0b[t->roadspline[road] + t->roadn[road] - 1][0] += tb23 * 2.0;
+        spline0bd[t->roadspline[road] + t->roadn[road] - 1][0] += tb23d * 2.0;
+        tb22 = t12b / h3;
+        tb22d = (t12bd - tb22 * h3d) * (1.0 / h3);
+        p3b += tb22;
+        p3bd += tb22d;
+        pb[t->roadadr[road] + t->roadn[road] + t->roadn[road] - 2] -= tb22;
+        pbd[t->roadadr[road] + t->roadn[road] + t->roadn[road] - 2] -= tb22d;
+        h3b -= tb22 * t12;
+        h3bd -= tb22d * t12 + tb22 * t12d;
+        pb[t->roadadr[road] + t->roadn[road] + t->roadn[road] - 1] += p3b;
+        pbd[t->roadadr[road] + t->roadn[road] + t->roadn[road] - 1] += p3bd;
+        p2b += h3b;
+        p2bd += h3bd;
+        pb[t->roadadr[road] + t->roadn[road] - 2] -= h3b;
+        pbd[t->roadadr[road] + t->roadn[road] - 2] -= h3bd;
+        pb[t->roadadr[road] + t->roadn[road] - 1] += p2b;
+        pbd[t->roadadr[road] + t->roadn[road] - 1] += p2bd;
+      } else {
+        p_roadk61 = p[t->roadadr[road] + k6 + 1];
+        p_roadk61d = pd[t->roadadr[road] + k6 + 1];
+        p_roadk6 = p[t->roadadr[road] + k6];
+        p_roadk6d = pd[t->roadadr[road] + k6];
+        h3_2 = p_roadk61 - p_roadk6;
+        h3_2d = p_roadk61d - p_roadk6d;
+        a2 = p_roadk61 - x2;
+        a2d = p_roadk61d - x2d;
+        c4 = x2 - p_roadk6;
+        c4d = x2d - p_roadk6d;
+        p4 = p[t->roadadr[road] + t->roadn[road] + k6];
+        p4d = pd[t->roadadr[road] + t->roadn[road] + k6];
+        t13 = (p[t->roadadr[road] + t->roadn[road] + k6 + 1] - p4) / h3_2;
+        t13d = (pd[t->roadadr[road] + t->roadn[road] + k6 + 1] - p4d - t13 * h3_2d) * (1.0 / h3_2);
+        spline0_roadk610 = spline0[t->roadspline[road] + k6 + 1][0];
+        spline0_roadk610d = spline0d[t->roadspline[road] + k6 + 1][0];
+        spline0_roadk60 = spline0[t->roadspline[road] + k6][0];
+        spline0_roadk60d = spline0d[t->roadspline[road] + k6][0];
+        e = t13 - h3_2 / 6.0 * (spline0_roadk610 - spline0_roadk60);
+        ed = t13d - (h3_2d / 6.0 * (spline0_roadk610 - spline0_roadk60) + h3_2 / 6.0 *
+            (spline0_roadk610d - spline0_roadk60d));
+        t14 = 6.0 * h3_2;
+        t14d = 6.0 * h3_2d;
+        t15 = (spline0_roadk60 * a2 * a2 * a2 + spline0_roadk610 * c4 * c4 * c4) / t14;
+        t15d = (((spline0_roadk60d * a2 + spline0_roadk60 * a2d) * a2 + spline0_roadk60 * a2 * a2d)
+            * a2 + spline0_roadk60 * a2 * a2 * a2d + (((spline0_roadk610d * c4 + spline0_roadk610 *
+            c4d) * c4 + spline0_roadk610 * c4 * c4d) * c4 + spline0_roadk610 * c4 * c4 * c4d) - t15
+            * t14d) * (1.0 / t14);
+        t15b = s20b;
+        t15bd = s20bd;
+        p4b = s20b;
+        p4bd = s20bd;
+        tb32 = s20b / 6.0;
+        tb32d = s20bd / 6.0;
+        tb33 = tb32 * h3_2;
+        tb33d = tb32d * h3_2 + tb32 * h3_2d;
+        spline0_roadk60b = -(tb33 * h3_2);
+        spline0_roadk60bd = -(tb33d * h3_2 + tb33 * h3_2d);
+        h3_2b = -(tb33 * spline0_roadk60);
+        h3_2bd = -(tb33d * spline0_roadk60 + tb33 * spline0_roadk60d);
+        h3_2b -= tb32 * (spline0_roadk60 * h3_2);
+        h3_2bd -= tb32d * (spline0_roadk60 * h3_2) + tb32 * (spline0_roadk60d * h3_2 +
+            spline0_roadk60 * h3_2d);
+        eb = s20b * c4;
+        ebd = s20bd * c4 + s20b * c4d;
+        c4b = s20b * e;
+        c4bd = s20bd * e + s20b * ed;
+        s20b = 0.0;
+        s20bd = 0.0;
+        tb27 = t15b / t14;
+        tb27d = (t15bd - tb27 * t14d) * (1.0 / t14);
+        tb28 = tb27 * a2;
+        tb28d = tb27d * a2 + tb27 * a2d;
+        tb29 = tb28 * a2;
+        tb29d = tb28d * a2 + tb28 * a2d;
+        spline0_roadk60b += tb29 * a2;
+        spline0_roadk60bd += tb29d * a2 + tb29 * a2d;
+        a2b = tb29 * spline0_roadk60;
+        a2bd = tb29d * spline0_roadk60 + tb29 * spline0_roadk60d;
+        a2b += tb28 * (spline0_roadk60 * a2);
+        a2bd += tb28d * (spline0_roadk60 * a2) + tb28 * (spline0_roadk60d * a2 + spline0_roadk60 *
+            a2d);
+        a2b += tb27 * (spline0_roadk60 * a2 * a2);
+        a2bd += tb27d * (spline0_roadk60 * a2 * a2) + tb27 * ((spline0_roadk60d * a2 +
+            spline0_roadk60 * a2d) * a2 + spline0_roadk60 * a2 * a2d);
+        tb30 = tb27 * c4;
+        tb30d = tb27d * c4 + tb27 * c4d;
+        tb31 = tb30 * c4;
+        tb31d = tb30d * c4 + tb30 * c4d;
+        spline0_roadk610b = tb31 * c4;
+        spline0_roadk610bd = tb31d * c4 + tb31 * c4d;
+        c4b += tb31 * spline0_roadk610;
+        c4bd += tb31d * spline0_roadk610 + tb31 * spline0_roadk610d;
+        c4b += tb30 * (spline0_roadk610 * c4);
+        c4bd += tb30d * (spline0_roadk610 * c4) + tb30 * (spline0_roadk610d * c4 + spline0_roadk610
+            * c4d);
+        c4b += tb27 * (spline0_roadk610 * c4 * c4);
+        c4bd += tb27d * (spline0_roadk610 * c4 * c4) + tb27 * ((spline0_roadk610d * c4 +
+            spline0_roadk610 * c4d) * c4 + spline0_roadk610 * c4 * c4d);
+        t14b = -(tb27 * t15);
+        t14bd = -(tb27d * t15 + tb27 * t15d);
+        h3_2b += t14b * 6.0;
+        h3_2bd += t14bd * 6.0;
+        t13b = eb;
+        t13bd = ebd;
+        h3_2b -= eb * (spline0_roadk610 - spline0_roadk60) / 6.0;
+        h3_2bd -= (ebd * (spline0_roadk610 - spline0_roadk60) + eb * (spline0_roadk610d -
+            spline0_roadk60d)) / 6.0;
+        tb26 = eb * (h3_2 / 6.0);
+        tb26d = ebd * (h3_2 / 6.0) + eb * (h3_2d / 6.0);
+        spline0_roadk610b -= tb26;
+        spline0_roadk610bd -= tb26d;
+        spline0_roadk60b += tb26;
+        spline0_roadk60bd += tb26d;
+        spline0b[t->roadspline[road] + k6][0] += spline0_roadk60b;
+        spline0bd[t->roadspline[road] + k6][0] += spline0_roadk60bd;
+        spline0b[t->roadspline[road] + k6 + 1][0] += spline0_roadk610b;
+        spline0bd[t->roadspline[road] + k6 + 1][0] += spline0_roadk610bd;
+        tb25 = t13b / h3_2;
+        tb25d = (t13bd - tb25 * h3_2d) * (1.0 / h3_2);
+        pb[t->roadadr[road] + t->roadn[road] + k6 + 1] += tb25;
+        pbd[t->roadadr[road] + t->roadn[road] + k6 + 1] += tb25d;
+        p4b -= tb25;
+        p4bd -= tb25d;
+        h3_2b -= tb25 * t13;
+        h3_2bd -= tb25d * t13 + tb25 * t13d;
+        pb[t->roadadr[road] + t->roadn[road] + k6] += p4b;
+        pbd[t->roadadr[road] + t->roadn[road] + k6] += p4bd;
+        x2b += c4b;
+        x2bd += c4bd;
+        p_roadk6b = -c4b;
+        p_roadk6bd = -c4bd;
+        p_roadk61b = a2b;
+        p_roadk61bd = a2bd;
+        x2b -= a2b;
+        x2bd -= a2bd;
+        p_roadk61b += h3_2b;
+        p_roadk61bd += h3_2bd;
+        p_roadk6b -= h3_2b;
+        p_roadk6bd -= h3_2bd;
+        pb[t->roadadr[road] + k6] += p_roadk6b;
+        pbd[t->roadadr[road] + k6] += p_roadk6bd;
+        pb[t->roadadr[road] + k6 + 1] += p_roadk61b;
+        pbd[t->roadadr[road] + k6 + 1] += p_roadk61bd;
+      }
+    }
+    g0b += x2b;
+    /* Where the rigid disc of a wheel meets the road: the plane that touches the road where the line from
+     * the centre down the disc meets it, n its normal; then down the disc to that plane,
+     *   e = (u.n u - n) / |u × n|,  r = (c - q).n / |u × n|,  T = u × n / |u × n|,  L = n × T
+     * g: centre c from the point of the road.  arm: r e; z: r, u.n, |u × n|, slope that the plane lacks */
+    g0bd += x2bd;
+    rb[t->wheelpoint[i]][2] += g2b;
+    rbd[t->wheelpoint[i]][2] += g2bd;
+    rb[t->roadpoint[road]][2] -= g2b;
+    rbd[t->roadpoint[road]][2] -= g2bd;
+    rb[t->wheelpoint[i]][0] += g0b;
+    rbd[t->wheelpoint[i]][0] += g0bd;
+    rb[t->roadpoint[road]][0] -= g0b;
+    rbd[t->roadpoint[road]][0] -= g0bd;
+    tb4 = u2_2b / n2;
+    tb4d = (u2_2bd - tb4 * n2d) * (1.0 / n2);
+    ua2b = tb4;
+    ua2bd = tb4d;
+    n2b = -(tb4 * u2_2);
+    n2bd = -(tb4d * u2_2 + tb4 * u2_2d);
+    tb3 = u1b / n2;
+    tb3d = (u1bd - tb3 * n2d) * (1.0 / n2);
+    ua1b = tb3;
+    ua1bd = tb3d;
+    n2b -= tb3 * u1;
+    n2bd -= tb3d * u1 + tb3 * u1d;
+    tb2 = u0b / n2;
+    tb2d = (u0bd - tb2 * n2d) * (1.0 / n2);
+    ua0b = tb2;
+    ua0bd = tb2d;
+    n2b -= tb2 * u0;
+    n2bd -= tb2d * u0 + tb2 * u0d;
+    t2b = n2b * (1.0 / (2.0 * n2));
+    t2bd = n2bd * (1.0 / (2.0 * n2)) - n2b * (1.0 / (2.0 * n2) * (2.0 * n2d) / (2.0 * n2));
+    ua0b += t2b * ua0;
+    ua0bd += t2bd * ua0 + t2b * ua0d;
+    ua0b += t2b * ua0;
+    ua0bd += t2bd * ua0 + t2b * ua0d;
+    ua1b += t2b * ua1;
+    ua1bd += t2bd * ua1 + t2b * ua1d;
+    ua1b += t2b * ua1;
+    ua1bd += t2bd * ua1 + t2b * ua1d;
+    ua2b += t2b * ua2;
+    ua2bd += t2bd * ua2 + t2b * ua2d;
+    ua2b += t2b * ua2;
+    ua2bd += t2bd * ua2 + t2b * ua2d;
+    Ab[t->wheelbody[i]][6] += ua2b * axis0;
+    Abd[t->wheelbody[i]][6] += ua2bd * axis0 + ua2b * axis0d;
+    axis0b = ua2b * A[t->wheelbody[i]][6];
+    axis0bd = ua2bd * A[t->wheelbody[i]][6] + ua2b * Ad[t->wheelbody[i]][6];
+    Ab[t->wheelbody[i]][7] += ua2b * axis1;
+    Abd[t->wheelbody[i]][7] += ua2bd * axis1 + ua2b * axis1d;
+    axis1b = ua2b * A[t->wheelbody[i]][7];
+    axis1bd = ua2bd * A[t->wheelbody[i]][7] + ua2b * Ad[t->wheelbody[i]][7];
+    Ab[t->wheelbody[i]][8] += ua2b * axis2;
+    Abd[t->wheelbody[i]][8] += ua2bd * axis2 + ua2b * axis2d;
+    axis2b = ua2b * A[t->wheelbody[i]][8];
+    axis2bd = ua2bd * A[t->wheelbody[i]][8] + ua2b * Ad[t->wheelbody[i]][8];
+    Ab[t->wheelbody[i]][3] += ua1b * axis0;
+    Abd[t->wheelbody[i]][3] += ua1bd * axis0 + ua1b * axis0d;
+    axis0b += ua1b * A[t->wheelbody[i]][3];
+    axis0bd += ua1bd * A[t->wheelbody[i]][3] + ua1b * Ad[t->wheelbody[i]][3];
+    Ab[t->wheelbody[i]][4] += ua1b * axis1;
+    Abd[t->wheelbody[i]][4] += ua1bd * axis1 + ua1b * axis1d;
+    axis1b += ua1b * A[t->wheelbody[i]][4];
+    axis1bd += ua1bd * A[t->wheelbody[i]][4] + ua1b * Ad[t->wheelbody[i]][4];
+    Ab[t->wheelbody[i]][5] += ua1b * axis2;
+    Abd[t->wheelbody[i]][5] += ua1bd * axis2 + ua1b * axis2d;
+    axis2b += ua1b * A[t->wheelbody[i]][5];
+    axis2bd += ua1bd * A[t->wheelbody[i]][5] + ua1b * Ad[t->wheelbody[i]][5];
+    Ab[t->wheelbody[i]][0] += ua0b * axis0;
+    Abd[t->wheelbody[i]][0] += ua0bd * axis0 + ua0b * axis0d;
+    axis0b += ua0b * A[t->wheelbody[i]][0];
+    axis0bd += ua0bd * A[t->wheelbody[i]][0] + ua0b * Ad[t->wheelbody[i]][0];
+    Ab[t->wheelbody[i]][1] += ua0b * axis1;
+    Abd[t->wheelbody[i]][1] += ua0bd * axis1 + ua0b * axis1d;
+    axis1b += ua0b * A[t->wheelbody[i]][1];
+    axis1bd += ua0bd * A[t->wheelbody[i]][1] + ua0b * Ad[t->wheelbody[i]][1];
+    Ab[t->wheelbody[i]][2] += ua0b * axis2;
+    Abd[t->wheelbody[i]][2] += ua0bd * axis2 + ua0b * axis2d;
+    axis2b += ua0b * A[t->wheelbody[i]][2];
+    axis2bd += ua0bd * A[t->wheelbody[i]][2] + ua0b * Ad[t->wheelbody[i]][2];
     pb[t->wheelaxis[i] + 2] += axis2b;
     pbd[t->wheelaxis[i] + 2] += axis2bd;
     pb[t->wheelaxis[i] + 1] += axis1b;

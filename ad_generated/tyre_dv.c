@@ -35,8 +35,8 @@ void maggi_wheel_forces_dv(const maggi_topo *t, const double p[restrict t->np],
                            double F[restrict t->nwheel][6],
                            double Fd[restrict t->nwheel][6][MAGGI_NDIR], int nbdirs)
 {
-  int a, i, k3, k5, k6, k8, k9, k9_2, nd, point, road;
-  double L0, L1, L2, N0, N1, N2, T0, T1, T2, Z_i3, Z_i4, Z_i5, a2, a3, a4, a5, a6, along0, along1,
+  int i, k3, k5, k6, k8, k9, k9_2, nd, road;
+  double L0, L1, L2, N0, N1, N2, T0, T1, T2, Z_i3, Z_i4, Z_i5, a, a2, a3, a4, a5, along0, along1,
       along2, ar, areq, arm0, arm1, arm2, at, ateq, axis0, axis1, axis2, ay, b0, b2, b30, b31, b4,
       base, base2, br, bt, c, c10, c11, c12, c13, c14, c15, c16, c17, c18, c19, c2, c20, c21, c22,
       c23, c24, c25, c26, c27, c28, c29, c3, c30, c31, c32, c33, c34, c35, c36, c37, c38, c39, c4,
@@ -66,7 +66,7 @@ void maggi_wheel_forces_dv(const maggi_topo *t, const double p[restrict t->np],
       y43inv, y44, y45, y5, y6, y7, y8, y9, z0, z1, z2, z2_2, z2_2inv, z2_3, z2inv, z3, z3_2, z3_3,
       z3_3inv, z3inv, z40, z5, z6, z7;
   double L0d[MAGGI_NDIR], L1d[MAGGI_NDIR], L2d[MAGGI_NDIR], N0d[MAGGI_NDIR], N2d[MAGGI_NDIR],
-      T0d[MAGGI_NDIR], T1d[MAGGI_NDIR], T2d[MAGGI_NDIR], a6d[MAGGI_NDIR], areqd[MAGGI_NDIR],
+      T0d[MAGGI_NDIR], T1d[MAGGI_NDIR], T2d[MAGGI_NDIR], a5d[MAGGI_NDIR], areqd[MAGGI_NDIR],
       arm0d[MAGGI_NDIR], arm1d[MAGGI_NDIR], arm2d[MAGGI_NDIR], atd[MAGGI_NDIR], ateqd[MAGGI_NDIR],
       ayd[MAGGI_NDIR], b0d[MAGGI_NDIR], b30d[MAGGI_NDIR], b31d[MAGGI_NDIR], base2d[MAGGI_NDIR],
       based[MAGGI_NDIR], btd[MAGGI_NDIR], c2d[MAGGI_NDIR], c4d[MAGGI_NDIR], dfzd[MAGGI_NDIR],
@@ -92,16 +92,17 @@ void maggi_wheel_forces_dv(const maggi_topo *t, const double p[restrict t->np],
 
   (void)nbdirs;
   for (i = 0; i < t->nwheel; ++i) {
-    a = t->wheelbody[i];
+    /* the unit axis u of wheel i, and where it meets its road */
     road = t->wheelroad[i];
-    point = t->wheelpoint[i];
-    side = t->wheelmirror[i] ? -1.0 : 1.0;
     axis0 = p[t->wheelaxis[i]];
     axis1 = p[t->wheelaxis[i] + 1];
     axis2 = p[t->wheelaxis[i] + 2];
-    ua0 = A[a][0] * axis0 + A[a][1] * axis1 + A[a][2] * axis2;
-    ua1 = A[a][3] * axis0 + A[a][4] * axis1 + A[a][5] * axis2;
-    ua2 = A[a][6] * axis0 + A[a][7] * axis1 + A[a][8] * axis2;
+    ua0 = A[t->wheelbody[i]][0] * axis0 + A[t->wheelbody[i]][1] * axis1 + A[t->wheelbody[i]][2] *
+        axis2;
+    ua1 = A[t->wheelbody[i]][3] * axis0 + A[t->wheelbody[i]][4] * axis1 + A[t->wheelbody[i]][5] *
+        axis2;
+    ua2 = A[t->wheelbody[i]][6] * axis0 + A[t->wheelbody[i]][7] * axis1 + A[t->wheelbody[i]][8] *
+        axis2;
     t2 = ua0 * ua0 + ua1 * ua1 + ua2 * ua2;
     n2 = sqrt(t2);
     c6 = 1.0 / (2.0 * n2);
@@ -109,8 +110,8 @@ void maggi_wheel_forces_dv(const maggi_topo *t, const double p[restrict t->np],
     n2inv = 1.0 / n2;
     u1 = ua1 / n2;
     u2_2 = ua2 / n2;
-    g0 = r[point][0] - r[t->roadpoint[road]][0];
-    g2_2 = r[point][2] - r[t->roadpoint[road]][2];
+    g0 = r[t->wheelpoint[i]][0] - r[t->roadpoint[road]][0];
+    g2_2 = r[t->wheelpoint[i]][2] - r[t->roadpoint[road]][2];
     x2 = g0;
 #pragma omp simd
     for (nd = 0; nd < MAGGI_NDIR; ++nd) {
@@ -119,19 +120,22 @@ void maggi_wheel_forces_dv(const maggi_topo *t, const double p[restrict t->np],
       axis0d = pd[t->wheelaxis[i]][nd];
       axis1d = pd[t->wheelaxis[i] + 1][nd];
       axis2d = pd[t->wheelaxis[i] + 2][nd];
-      ua0d = Ad[a][0][nd] * axis0 + A[a][0] * axis0d + (Ad[a][1][nd] * axis1 + A[a][1] * axis1d) +
-          (Ad[a][2][nd] * axis2 + A[a][2] * axis2d);
-      ua1d = Ad[a][3][nd] * axis0 + A[a][3] * axis0d + (Ad[a][4][nd] * axis1 + A[a][4] * axis1d) +
-          (Ad[a][5][nd] * axis2 + A[a][5] * axis2d);
-      ua2d = Ad[a][6][nd] * axis0 + A[a][6] * axis0d + (Ad[a][7][nd] * axis1 + A[a][7] * axis1d) +
-          (Ad[a][8][nd] * axis2 + A[a][8] * axis2d);
+      ua0d = Ad[t->wheelbody[i]][0][nd] * axis0 + A[t->wheelbody[i]][0] * axis0d +
+          (Ad[t->wheelbody[i]][1][nd] * axis1 + A[t->wheelbody[i]][1] * axis1d) +
+          (Ad[t->wheelbody[i]][2][nd] * axis2 + A[t->wheelbody[i]][2] * axis2d);
+      ua1d = Ad[t->wheelbody[i]][3][nd] * axis0 + A[t->wheelbody[i]][3] * axis0d +
+          (Ad[t->wheelbody[i]][4][nd] * axis1 + A[t->wheelbody[i]][4] * axis1d) +
+          (Ad[t->wheelbody[i]][5][nd] * axis2 + A[t->wheelbody[i]][5] * axis2d);
+      ua2d = Ad[t->wheelbody[i]][6][nd] * axis0 + A[t->wheelbody[i]][6] * axis0d +
+          (Ad[t->wheelbody[i]][7][nd] * axis1 + A[t->wheelbody[i]][7] * axis1d) +
+          (Ad[t->wheelbody[i]][8][nd] * axis2 + A[t->wheelbody[i]][8] * axis2d);
       t2d = ua0d * ua0 + ua0 * ua0d + (ua1d * ua1 + ua1 * ua1d) + (ua2d * ua2 + ua2 * ua2d);
       n2d = c6 * t2d;
       u0d[nd] = (ua0d - u0 * n2d) * n2inv;
       u1d[nd] = (ua1d - u1 * n2d) * n2inv;
       u2_2d[nd] = (ua2d - u2_2 * n2d) * n2inv;
-      g0d[nd] = rd[point][0][nd] - rd[t->roadpoint[road]][0][nd];
-      g2_2d[nd] = rd[point][2][nd] - rd[t->roadpoint[road]][2][nd];
+      g0d[nd] = rd[t->wheelpoint[i]][0][nd] - rd[t->roadpoint[road]][0][nd];
+      g2_2d[nd] = rd[t->wheelpoint[i]][2][nd] - rd[t->roadpoint[road]][2][nd];
       /* Where the rigid disc of a wheel meets the road: the plane that touches the road where the line from
        * the centre down the disc meets it, n its normal; then down the disc to that plane,
        *   e = (u.n u - n) / |u × n|,  r = (c - q).n / |u × n|,  T = u × n / |u × n|,  L = n × T
@@ -214,7 +218,7 @@ void maggi_wheel_forces_dv(const maggi_topo *t, const double p[restrict t->np],
         h0_2 = z2 - base;
         h1_2 = 2.0 * f2 * (c2 - f2) / z2;
         z2inv = 1.0 / z2;
-        a2 = 3.0 * h0_2 - h1_2;
+        a = 3.0 * h0_2 - h1_2;
         t7 = z2 * z2 * z2;
         t8 = 2.0 * f2 * f2 * radius * radius / t7;
         t7inv = 1.0 / t7;
@@ -223,17 +227,17 @@ void maggi_wheel_forces_dv(const maggi_topo *t, const double p[restrict t->np],
         u2 = (c2 + f2 - y) / t9;
         t9inv = 1.0 / t9;
         w2 = 1.0 - u2;
-        b0 = u2 * u2 * u2 * (h0_2 + w2 * (a2 + w2 * b2));
+        b0 = u2 * u2 * u2 * (h0_2 + w2 * (a + w2 * b2));
 #pragma omp simd
         for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-          double a2d, b2d, h0_2d, h1_2d, t6d, t7d, t8d, t9d, u2d, w2d, z2d;
+          double ad, b2d, h0_2d, h1_2d, t6d, t7d, t8d, t9d, u2d, w2d, z2d;
 
           t6d = radiusd[nd] * radius + radius * radiusd[nd] - ((c2d[nd] - f2d[nd]) * (c2 - f2) + (c2
               - f2) * (c2d[nd] - f2d[nd]));
           z2d = c9 * t6d;
           h0_2d = z2d - based[nd];
           h1_2d = (2.0 * f2d[nd] * (c2 - f2) + 2.0 * f2 * (c2d[nd] - f2d[nd]) - h1_2 * z2d) * z2inv;
-          a2d = 3.0 * h0_2d - h1_2d;
+          ad = 3.0 * h0_2d - h1_2d;
           t7d = (z2d * z2 + z2 * z2d) * z2 + z2 * z2 * z2d;
           t8d = (((2.0 * f2d[nd] * f2 + 2.0 * f2 * f2d[nd]) * radius + 2.0 * f2 * f2 * radiusd[nd])
               * radius + 2.0 * f2 * f2 * radius * radiusd[nd] - t8 * t7d) * t7inv;
@@ -241,8 +245,8 @@ void maggi_wheel_forces_dv(const maggi_topo *t, const double p[restrict t->np],
           t9d = 2.0 * f2d[nd];
           u2d = (c2d[nd] + f2d[nd] - yd[nd] - u2 * t9d) * t9inv;
           w2d = -u2d;
-          b0d[nd] = ((u2d * u2 + u2 * u2d) * u2 + u2 * u2 * u2d) * (h0_2 + w2 * (a2 + w2 * b2)) + u2
-              * u2 * u2 * (h0_2d + (w2d * (a2 + w2 * b2) + w2 * (a2d + (w2d * b2 + w2 * b2d))));
+          b0d[nd] = ((u2d * u2 + u2 * u2d) * u2 + u2 * u2 * u2d) * (h0_2 + w2 * (a + w2 * b2)) + u2
+              * u2 * u2 * (h0_2d + (w2d * (a + w2 * b2) + w2 * (ad + (w2d * b2 + w2 * b2d))));
         }
       } else {
         t10 = radius * radius - y * y;
@@ -315,7 +319,7 @@ void maggi_wheel_forces_dv(const maggi_topo *t, const double p[restrict t->np],
         p_roadk51 = p[t->roadadr[road] + k5 + 1];
         p_roadk5 = p[t->roadadr[road] + k5];
         h3_2 = p_roadk51 - p_roadk5;
-        a3 = p_roadk51 - x2;
+        a2 = p_roadk51 - x2;
         c3 = x2 - p_roadk5;
         p4 = p[t->roadadr[road] + t->roadn[road] + k5];
         t13 = (p[t->roadadr[road] + t->roadn[road] + k5 + 1] - p4) / h3_2;
@@ -324,18 +328,18 @@ void maggi_wheel_forces_dv(const maggi_topo *t, const double p[restrict t->np],
         spline0_roadk50 = spline0[t->roadspline[road] + k5][0];
         e = t13 - h3_2 / 6.0 * (spline0_roadk510 - spline0_roadk50);
         t14 = 6.0 * h3_2;
-        t15 = (spline0_roadk50 * a3 * a3 * a3 + spline0_roadk510 * c3 * c3 * c3) / t14;
+        t15 = (spline0_roadk50 * a2 * a2 * a2 + spline0_roadk510 * c3 * c3 * c3) / t14;
         t14inv = 1.0 / t14;
         s20 = t15 + p4 - spline0_roadk50 * h3_2 * h3_2 / 6.0 + e * c3;
 #pragma omp simd
         for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-          double a3d, c3d, ed, h3_2d, p4d, p_roadk51d, p_roadk5d, spline0_roadk50d,
+          double a2d, c3d, ed, h3_2d, p4d, p_roadk51d, p_roadk5d, spline0_roadk50d,
               spline0_roadk510d, t13d, t14d, t15d;
 
           p_roadk51d = pd[t->roadadr[road] + k5 + 1][nd];
           p_roadk5d = pd[t->roadadr[road] + k5][nd];
           h3_2d = p_roadk51d - p_roadk5d;
-          a3d = p_roadk51d - x2d[nd];
+          a2d = p_roadk51d - x2d[nd];
           c3d = x2d[nd] - p_roadk5d;
           p4d = pd[t->roadadr[road] + t->roadn[road] + k5][nd];
           t13d = (pd[t->roadadr[road] + t->roadn[road] + k5 + 1][nd] - p4d - t13 * h3_2d) * h3_2inv;
@@ -344,8 +348,8 @@ void maggi_wheel_forces_dv(const maggi_topo *t, const double p[restrict t->np],
           ed = t13d - (h3_2d / 6.0 * (spline0_roadk510 - spline0_roadk50) + h3_2 / 6.0 *
               (spline0_roadk510d - spline0_roadk50d));
           t14d = 6.0 * h3_2d;
-          t15d = (((spline0_roadk50d * a3 + spline0_roadk50 * a3d) * a3 + spline0_roadk50 * a3 *
-              a3d) * a3 + spline0_roadk50 * a3 * a3 * a3d + (((spline0_roadk510d * c3 +
+          t15d = (((spline0_roadk50d * a2 + spline0_roadk50 * a2d) * a2 + spline0_roadk50 * a2 *
+              a2d) * a2 + spline0_roadk50 * a2 * a2 * a2d + (((spline0_roadk510d * c3 +
               spline0_roadk510 * c3d) * c3 + spline0_roadk510 * c3 * c3d) * c3 + spline0_roadk510 *
               c3 * c3 * c3d) - t15 * t14d) * t14inv;
           s20d[nd] = t15d + p4d - ((spline0_roadk50d * h3_2 + spline0_roadk50 * h3_2d) * h3_2 +
@@ -462,7 +466,7 @@ void maggi_wheel_forces_dv(const maggi_topo *t, const double p[restrict t->np],
         h0_3 = z3 - base2;
         h1_3 = 2.0 * f3 * (c4 - f3) / z3;
         z3inv = 1.0 / z3;
-        a4 = 3.0 * h0_3 - h1_3;
+        a3 = 3.0 * h0_3 - h1_3;
         t24 = z3 * z3 * z3;
         t25 = 2.0 * f3 * f3 * radius2 * radius2 / t24;
         t24inv = 1.0 / t24;
@@ -471,22 +475,22 @@ void maggi_wheel_forces_dv(const maggi_topo *t, const double p[restrict t->np],
         u3 = (c4 + f3 - y2) / t26;
         t26inv = 1.0 / t26;
         w3 = 1.0 - u3;
-        b30 = u3 * u3 * u3 * (h0_3 + w3 * (a4 + w3 * b4));
+        b30 = u3 * u3 * u3 * (h0_3 + w3 * (a3 + w3 * b4));
         t27 = 2.0 * f3;
-        t28 = -way2 * u3 * u3 * (3.0 * (h0_3 + w3 * (a4 + w3 * b4)) - u3 * (a4 + 2.0 * w3 * b4)) /
+        t28 = -way2 * u3 * u3 * (3.0 * (h0_3 + w3 * (a3 + w3 * b4)) - u3 * (a3 + 2.0 * w3 * b4)) /
             t27;
         t27inv = 1.0 / t27;
         b31 = t28;
 #pragma omp simd
         for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-          double a4d, b4d, h0_3d, h1_3d, t23d, t24d, t25d, t26d, t27d, t28d, u3d, w3d, z3d;
+          double a3d, b4d, h0_3d, h1_3d, t23d, t24d, t25d, t26d, t27d, t28d, u3d, w3d, z3d;
 
           t23d = radius2d[nd] * radius2 + radius2 * radius2d[nd] - ((c4d[nd] - f3d[nd]) * (c4 - f3)
               + (c4 - f3) * (c4d[nd] - f3d[nd]));
           z3d = c14 * t23d;
           h0_3d = z3d - base2d[nd];
           h1_3d = (2.0 * f3d[nd] * (c4 - f3) + 2.0 * f3 * (c4d[nd] - f3d[nd]) - h1_3 * z3d) * z3inv;
-          a4d = 3.0 * h0_3d - h1_3d;
+          a3d = 3.0 * h0_3d - h1_3d;
           t24d = (z3d * z3 + z3 * z3d) * z3 + z3 * z3 * z3d;
           t25d = (((2.0 * f3d[nd] * f3 + 2.0 * f3 * f3d[nd]) * radius2 + 2.0 * f3 * f3 *
               radius2d[nd]) * radius2 + 2.0 * f3 * f3 * radius2 * radius2d[nd] - t25 * t24d) *
@@ -495,12 +499,12 @@ void maggi_wheel_forces_dv(const maggi_topo *t, const double p[restrict t->np],
           t26d = 2.0 * f3d[nd];
           u3d = (c4d[nd] + f3d[nd] - y2d[nd] - u3 * t26d) * t26inv;
           w3d = -u3d;
-          b30d[nd] = ((u3d * u3 + u3 * u3d) * u3 + u3 * u3 * u3d) * (h0_3 + w3 * (a4 + w3 * b4)) +
-              u3 * u3 * u3 * (h0_3d + (w3d * (a4 + w3 * b4) + w3 * (a4d + (w3d * b4 + w3 * b4d))));
+          b30d[nd] = ((u3d * u3 + u3 * u3d) * u3 + u3 * u3 * u3d) * (h0_3 + w3 * (a3 + w3 * b4)) +
+              u3 * u3 * u3 * (h0_3d + (w3d * (a3 + w3 * b4) + w3 * (a3d + (w3d * b4 + w3 * b4d))));
           t27d = 2.0 * f3d[nd];
-          t28d = ((-(way2 * u3d * u3) + -way2 * u3 * u3d) * (3.0 * (h0_3 + w3 * (a4 + w3 * b4)) - u3
-              * (a4 + 2.0 * w3 * b4)) + -way2 * u3 * u3 * (3.0 * (h0_3d + (w3d * (a4 + w3 * b4) + w3
-              * (a4d + (w3d * b4 + w3 * b4d)))) - (u3d * (a4 + 2.0 * w3 * b4) + u3 * (a4d + (2.0 *
+          t28d = ((-(way2 * u3d * u3) + -way2 * u3 * u3d) * (3.0 * (h0_3 + w3 * (a3 + w3 * b4)) - u3
+              * (a3 + 2.0 * w3 * b4)) + -way2 * u3 * u3 * (3.0 * (h0_3d + (w3d * (a3 + w3 * b4) + w3
+              * (a3d + (w3d * b4 + w3 * b4d)))) - (u3d * (a3 + 2.0 * w3 * b4) + u3 * (a3d + (2.0 *
               w3d * b4 + 2.0 * w3 * b4d)))) - t28 * t27d) * t27inv;
           b31d[nd] = t28d;
         }
@@ -588,7 +592,7 @@ void maggi_wheel_forces_dv(const maggi_topo *t, const double p[restrict t->np],
         p_roadk81 = p[t->roadadr[road] + k8 + 1];
         p_roadk8 = p[t->roadadr[road] + k8];
         h2_3 = p_roadk81 - p_roadk8;
-        a5 = p_roadk81 - x;
+        a4 = p_roadk81 - x;
         c5 = x - p_roadk8;
         p7 = p[t->roadadr[road] + t->roadn[road] + k8];
         t33 = (p[t->roadadr[road] + t->roadn[road] + k8 + 1] - p7) / h2_3;
@@ -597,22 +601,22 @@ void maggi_wheel_forces_dv(const maggi_topo *t, const double p[restrict t->np],
         spline0_roadk80 = spline0[t->roadspline[road] + k8][0];
         e2 = t33 - h2_3 / 6.0 * (spline0_roadk810 - spline0_roadk80);
         t34 = 6.0 * h2_3;
-        t35 = (spline0_roadk80 * a5 * a5 * a5 + spline0_roadk810 * c5 * c5 * c5) / t34;
+        t35 = (spline0_roadk80 * a4 * a4 * a4 + spline0_roadk810 * c5 * c5 * c5) / t34;
         t34inv = 1.0 / t34;
         s30 = t35 + p7 - spline0_roadk80 * h2_3 * h2_3 / 6.0 + e2 * c5;
         t36 = 2.0 * h2_3;
-        t37 = (spline0_roadk810 * c5 * c5 - spline0_roadk80 * a5 * a5) / t36;
+        t37 = (spline0_roadk810 * c5 * c5 - spline0_roadk80 * a4 * a4) / t36;
         t36inv = 1.0 / t36;
         s31 = t37 + e2;
 #pragma omp simd
         for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-          double a5d, c5d, e2d, h2_3d, p7d, p_roadk81d, p_roadk8d, spline0_roadk80d,
+          double a4d, c5d, e2d, h2_3d, p7d, p_roadk81d, p_roadk8d, spline0_roadk80d,
               spline0_roadk810d, t33d, t34d, t35d, t36d, t37d;
 
           p_roadk81d = pd[t->roadadr[road] + k8 + 1][nd];
           p_roadk8d = pd[t->roadadr[road] + k8][nd];
           h2_3d = p_roadk81d - p_roadk8d;
-          a5d = p_roadk81d - xd[nd];
+          a4d = p_roadk81d - xd[nd];
           c5d = xd[nd] - p_roadk8d;
           p7d = pd[t->roadadr[road] + t->roadn[road] + k8][nd];
           t33d = (pd[t->roadadr[road] + t->roadn[road] + k8 + 1][nd] - p7d - t33 * h2_3d) * h2_3inv;
@@ -621,16 +625,16 @@ void maggi_wheel_forces_dv(const maggi_topo *t, const double p[restrict t->np],
           e2d = t33d - (h2_3d / 6.0 * (spline0_roadk810 - spline0_roadk80) + h2_3 / 6.0 *
               (spline0_roadk810d - spline0_roadk80d));
           t34d = 6.0 * h2_3d;
-          t35d = (((spline0_roadk80d * a5 + spline0_roadk80 * a5d) * a5 + spline0_roadk80 * a5 *
-              a5d) * a5 + spline0_roadk80 * a5 * a5 * a5d + (((spline0_roadk810d * c5 +
+          t35d = (((spline0_roadk80d * a4 + spline0_roadk80 * a4d) * a4 + spline0_roadk80 * a4 *
+              a4d) * a4 + spline0_roadk80 * a4 * a4 * a4d + (((spline0_roadk810d * c5 +
               spline0_roadk810 * c5d) * c5 + spline0_roadk810 * c5 * c5d) * c5 + spline0_roadk810 *
               c5 * c5 * c5d) - t35 * t34d) * t34inv;
           s30d[nd] = t35d + p7d - ((spline0_roadk80d * h2_3 + spline0_roadk80 * h2_3d) * h2_3 +
               spline0_roadk80 * h2_3 * h2_3d) / 6.0 + (e2d * c5 + e2 * c5d);
           t36d = 2.0 * h2_3d;
           t37d = ((spline0_roadk810d * c5 + spline0_roadk810 * c5d) * c5 + spline0_roadk810 * c5 *
-              c5d - ((spline0_roadk80d * a5 + spline0_roadk80 * a5d) * a5 + spline0_roadk80 * a5 *
-              a5d) - t37 * t36d) * t36inv;
+              c5d - ((spline0_roadk80d * a4 + spline0_roadk80 * a4d) * a4 + spline0_roadk80 * a4 *
+              a4d) - t37 * t36d) * t36inv;
           s31d[nd] = t37d + e2d;
         }
       }
@@ -688,13 +692,14 @@ void maggi_wheel_forces_dv(const maggi_topo *t, const double p[restrict t->np],
     vr0 = wr1 * arm2 - wr2 * arm1;
     vr1 = wr2 * arm0 - wr0 * arm2;
     vr2 = wr0 * arm1 - wr1 * arm0;
-    v0 = rv[point][0] + vr0;
-    v1 = rv[point][1] + vr1;
-    v2 = rv[point][2] + vr2;
+    v0 = rv[t->wheelpoint[i]][0] + vr0;
+    v1 = rv[t->wheelpoint[i]][1] + vr1;
+    v2 = rv[t->wheelpoint[i]][2] + vr2;
     vx = slip[i][MAGGI_SLIP_VX];
     rhov = (z3_2 * v0 - (v0 * N0 + v1 * N1 + v2 * N2)) / z2_2;
     z2_2inv = 1.0 / z2_2;
-    omega = (Z[a][3] - Z_i3) * u0 + (Z[a][4] - Z_i4) * u1 + (Z[a][5] - Z_i5) * u2_2;
+    omega = (Z[t->wheelbody[i]][3] - Z_i3) * u0 + (Z[t->wheelbody[i]][4] - Z_i4) * u1 +
+        (Z[t->wheelbody[i]][5] - Z_i5) * u2_2;
     fz = slip[i][MAGGI_SLIP_FZ];
     fz0 = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LFZO] * p[t->tyreadr[t->wheeltyre[i]]];
 #pragma omp simd
@@ -749,16 +754,17 @@ void maggi_wheel_forces_dv(const maggi_topo *t, const double p[restrict t->np],
       vr0d = wr1d * arm2 + wr1 * arm2d[nd] - (wr2d * arm1 + wr2 * arm1d[nd]);
       vr1d = wr2d * arm0 + wr2 * arm0d[nd] - (wr0d * arm2 + wr0 * arm2d[nd]);
       vr2d = wr0d * arm1 + wr0 * arm1d[nd] - (wr1d * arm0 + wr1 * arm0d[nd]);
-      v0d[nd] = rvd[point][0][nd] + vr0d;
-      v1d[nd] = rvd[point][1][nd] + vr1d;
-      v2d[nd] = rvd[point][2][nd] + vr2d;
+      v0d[nd] = rvd[t->wheelpoint[i]][0][nd] + vr0d;
+      v1d[nd] = rvd[t->wheelpoint[i]][1][nd] + vr1d;
+      v2d[nd] = rvd[t->wheelpoint[i]][2][nd] + vr2d;
       vxd[nd] = v0d[nd] * T0 + v0 * T0d[nd] + (v1d[nd] * T1 + v1 * T1d[nd]) + (v2d[nd] * T2 + v2 *
           T2d[nd]);
       rhovd = (z3_2d * v0 + z3_2 * v0d[nd] - (v0d[nd] * N0 + v0 * N0d[nd] + v1d[nd] * N1 + (v2d[nd]
           * N2 + v2 * N2d[nd])) - rhov * z2_2d[nd]) * z2_2inv;
-      omegad[nd] = (Zd[a][3][nd] - Z_i3d) * u0 + (Z[a][3] - Z_i3) * u0d[nd] + ((Zd[a][4][nd] -
-          Z_i4d) * u1 + (Z[a][4] - Z_i4) * u1d[nd]) + ((Zd[a][5][nd] - Z_i5d) * u2_2 + (Z[a][5] -
-          Z_i5) * u2_2d[nd]);
+      omegad[nd] = (Zd[t->wheelbody[i]][3][nd] - Z_i3d) * u0 + (Z[t->wheelbody[i]][3] - Z_i3) *
+          u0d[nd] + ((Zd[t->wheelbody[i]][4][nd] - Z_i4d) * u1 + (Z[t->wheelbody[i]][4] - Z_i4) *
+          u1d[nd]) + ((Zd[t->wheelbody[i]][5][nd] - Z_i5d) * u2_2 + (Z[t->wheelbody[i]][5] - Z_i5) *
+          u2_2d[nd]);
       fzd[nd] = pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_VERTICAL_STIFFNESS][nd] *
           (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_UNLOADED_RADIUS] - z0) +
           p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_VERTICAL_STIFFNESS] *
@@ -860,13 +866,14 @@ void maggi_wheel_forces_dv(const maggi_topo *t, const double p[restrict t->np],
     if (MAGGI_RE(fz) > 0.0 && MAGGI_RE(z0) < MAGGI_RE(p[t->tyreadr[t->wheeltyre[i]] +
         MAGGI_TYRE_UNLOADED_RADIUS])) {
       if (t->wheelgrip[i]) {
+        side = t->wheelmirror[i] ? -1.0 : 1.0;
         one0 = slip[i][MAGGI_SLIP_KAPPA];
         one1 = side * slip[i][MAGGI_SLIP_TAN_ALPHA];
         one2 = side * slip[i][MAGGI_SLIP_GAMMA];
         one3 = slip[i][MAGGI_SLIP_FZ];
         one4 = slip[i][MAGGI_SLIP_VX];
         kappa = one0;
-        a6 = one1;
+        a5 = one1;
         gamma = one2;
         fz2 = one3;
         fz0_2 = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LFZO] * p[t->tyreadr[t->wheeltyre[i]]];
@@ -894,7 +901,7 @@ void maggi_wheel_forces_dv(const maggi_topo *t, const double p[restrict t->np],
           one3d = slipd[i][MAGGI_SLIP_FZ][nd];
           one4d[nd] = slipd[i][MAGGI_SLIP_VX][nd];
           kappad[nd] = one0d;
-          a6d[nd] = one1d;
+          a5d[nd] = one1d;
           gammad[nd] = one2d;
           fz2d[nd] = one3d;
           fz0_2d[nd] = pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LFZO][nd] *
@@ -1000,7 +1007,7 @@ void maggi_wheel_forces_dv(const maggi_topo *t, const double p[restrict t->np],
             + MAGGI_TYRE_LVX] * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUX];
         fz0_3 = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LFZO] * p[t->tyreadr[t->wheeltyre[i]]];
         gy = gamma * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LGAY];
-        ay = a6 + (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHY1] + p[t->tyreadr[t->wheeltyre[i]]
+        ay = a5 + (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHY1] + p[t->tyreadr[t->wheeltyre[i]]
             + MAGGI_TYRE_PHY2] * dfz) * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LHY] +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHY3] * gy;
         muy = (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY1] + p[t->tyreadr[t->wheeltyre[i]] +
@@ -1049,7 +1056,7 @@ void maggi_wheel_forces_dv(const maggi_topo *t, const double p[restrict t->np],
               pd[t->tyreadr[t->wheeltyre[i]]][nd];
           gyd[nd] = gammad[nd] * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LGAY] + gamma *
               pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LGAY][nd];
-          ayd[nd] = a6d[nd] + ((pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHY1][nd] +
+          ayd[nd] = a5d[nd] + ((pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHY1][nd] +
               (pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHY2][nd] * dfz +
               p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHY2] * dfzd[nd])) *
               p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LHY] + (p[t->tyreadr[t->wheeltyre[i]] +
@@ -1283,7 +1290,7 @@ void maggi_wheel_forces_dv(const maggi_topo *t, const double p[restrict t->np],
         }
         g22 = y10;
         g23 = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RHX1];
-        x7 = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY2] * (a6 - p[t->tyreadr[t->wheeltyre[i]]
+        x7 = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY2] * (a5 - p[t->tyreadr[t->wheeltyre[i]]
             + MAGGI_TYRE_RBY3]);
         t53 = 1.0 + x7 * x7;
         t54 = sqrt(t53);
@@ -1301,9 +1308,9 @@ void maggi_wheel_forces_dv(const maggi_topo *t, const double p[restrict t->np],
 
           g22d[nd] = y10d[nd];
           g23d[nd] = pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RHX1][nd];
-          x7d = pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY2][nd] * (a6 -
+          x7d = pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY2][nd] * (a5 -
               p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY3]) + p[t->tyreadr[t->wheeltyre[i]] +
-              MAGGI_TYRE_RBY2] * (a6d[nd] - pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY3][nd]);
+              MAGGI_TYRE_RBY2] * (a5d[nd] - pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY3][nd]);
           t53d = x7d * x7 + x7 * x7d;
           t54d = c22 * t53d;
           t55d = -(t55 * t54d * t54inv);
@@ -1333,7 +1340,7 @@ void maggi_wheel_forces_dv(const maggi_topo *t, const double p[restrict t->np],
         g26 = y11;
         g27 = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RHY1] + p[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_RHY2] * dfz;
-        x8 = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY4] * a6;
+        x8 = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY4] * a5;
         t56 = 1.0 + x8 * x8;
         t57 = sqrt(t56);
         c23 = 1.0 / (2.0 * t57);
@@ -1353,7 +1360,7 @@ void maggi_wheel_forces_dv(const maggi_topo *t, const double p[restrict t->np],
         t64 = x53 / t63;
         t63inv = 1.0 / t63;
         y12 = t64 * x54;
-        y13 = g20 * (a6 + g23);
+        y13 = g20 * (a5 + g23);
         y14 = g20 * g23;
         t65 = atan(y12);
         c26 = 1.0 / (1.0 + y12 * y12);
@@ -1419,7 +1426,7 @@ void maggi_wheel_forces_dv(const maggi_topo *t, const double p[restrict t->np],
         y43inv = 1.0 / y43;
         fz0_4 = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LFZO] * p[t->tyreadr[t->wheeltyre[i]]];
         gz = gamma * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LGAZ];
-        at = a6 + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QHZ1] + p[t->tyreadr[t->wheeltyre[i]] +
+        at = a5 + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QHZ1] + p[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_QHZ2] * dfz + (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QHZ3] +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QHZ4] * dfz) * gz;
         t99 = y45 / y43;
@@ -1445,8 +1452,8 @@ void maggi_wheel_forces_dv(const maggi_topo *t, const double p[restrict t->np],
           g27d = pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RHY1][nd] +
               (pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RHY2][nd] * dfz +
               p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RHY2] * dfzd[nd]);
-          x8d = pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY4][nd] * a6 +
-              p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY4] * a6d[nd];
+          x8d = pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY4][nd] * a5 +
+              p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY4] * a5d[nd];
           t56d = x8d * x8 + x8 * x8d;
           t57d = c23 * t56d;
           t58d = -(t58 * t57d * t57inv);
@@ -1471,7 +1478,7 @@ void maggi_wheel_forces_dv(const maggi_topo *t, const double p[restrict t->np],
           t63d = x51d[nd] * x50 + x51 * x50d[nd];
           t64d = (x53d[nd] - t64 * t63d) * t63inv;
           y12d = t64d * x54 + t64 * x54d[nd];
-          y13d = g20d[nd] * (a6 + g23) + g20 * (a6d[nd] + g23d[nd]);
+          y13d = g20d[nd] * (a5 + g23) + g20 * (a5d[nd] + g23d[nd]);
           y14d = g20d[nd] * g23 + g20 * g23d[nd];
           t65d = c26 * y12d;
           t66d = -(x52d[nd] * y12) + (1.0 - x52) * y12d + (x52d[nd] * t65 + x52 * t65d);
@@ -1520,7 +1527,7 @@ void maggi_wheel_forces_dv(const maggi_topo *t, const double p[restrict t->np],
               pd[t->tyreadr[t->wheeltyre[i]]][nd];
           gzd[nd] = gammad[nd] * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LGAZ] + gamma *
               pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LGAZ][nd];
-          atd[nd] = a6d[nd] + pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QHZ1][nd] +
+          atd[nd] = a5d[nd] + pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QHZ1][nd] +
               (pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QHZ2][nd] * dfz +
               p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QHZ2] * dfzd[nd]) +
               ((pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QHZ3][nd] +
@@ -1674,7 +1681,7 @@ void maggi_wheel_forces_dv(const maggi_topo *t, const double p[restrict t->np],
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ9] * dfz) * gz) *
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_UNLOADED_RADIUS] *
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUY];
-        t107 = 1.0 + a6 * a6;
+        t107 = 1.0 + a5 * a5;
         t108 = sqrt(t107);
         c47 = 1.0 / (2.0 * t108);
         ca = 1.0 / t108;
@@ -1745,7 +1752,7 @@ void maggi_wheel_forces_dv(const maggi_topo *t, const double p[restrict t->np],
               (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ8] + p[t->tyreadr[t->wheeltyre[i]] +
               MAGGI_TYRE_QDZ9] * dfz) * gz) * p[t->tyreadr[t->wheeltyre[i]] +
               MAGGI_TYRE_UNLOADED_RADIUS] * pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUY][nd];
-          t107d = a6d[nd] * a6 + a6 * a6d[nd];
+          t107d = a5d[nd] * a5 + a5 * a5d[nd];
           t108d = c47 * t107d;
           cad = -(ca * t108d * t108inv);
           y20d = btd[nd] * ateq + bt * ateqd[nd];
@@ -1856,14 +1863,14 @@ void maggi_wheel_forces_dv(const maggi_topo *t, const double p[restrict t->np],
         }
       }
     }
-    r30 = r[point][0] + arm0;
+    r30 = r[t->wheelpoint[i]][0] + arm0;
     f_i0 = f[i][0];
     f_i1 = f[i][1];
     f_i2 = f[i][2];
     force30 = F[i][0];
-    r31 = r[point][1] + arm1;
+    r31 = r[t->wheelpoint[i]][1] + arm1;
     force31 = F[i][1];
-    r32 = r[point][2] + arm2;
+    r32 = r[t->wheelpoint[i]][2] + arm2;
     force32 = F[i][2];
     f_i3 = f[i][3];
     f_i4 = f[i][4];
@@ -1874,15 +1881,15 @@ void maggi_wheel_forces_dv(const maggi_topo *t, const double p[restrict t->np],
           moment1d, moment2d, r30d, r31d, r32d;
 
       /* F: force f_x T + f_y L + f_z N at the contact point, with its moment, as one about P */
-      r30d = rd[point][0][nd] + arm0d[nd];
+      r30d = rd[t->wheelpoint[i]][0][nd] + arm0d[nd];
       f_i0d = fd[i][0][nd];
       f_i1d = fd[i][1][nd];
       f_i2d = fd[i][2][nd];
       force30d = f_i0d * T0 + f_i0 * T0d[nd] + (f_i1d * L0 + f_i1 * L0d[nd]) + (f_i2d * N0 + f_i2 *
           N0d[nd]);
-      r31d = rd[point][1][nd] + arm1d[nd];
+      r31d = rd[t->wheelpoint[i]][1][nd] + arm1d[nd];
       force31d = f_i0d * T1 + f_i0 * T1d[nd] + (f_i1d * L1 + f_i1 * L1d[nd]) + f_i2d * N1;
-      r32d = rd[point][2][nd] + arm2d[nd];
+      r32d = rd[t->wheelpoint[i]][2][nd] + arm2d[nd];
       force32d = f_i0d * T2 + f_i0 * T2d[nd] + (f_i1d * L2 + f_i1 * L2d[nd]) + (f_i2d * N2 + f_i2 *
           N2d[nd]);
       moment0d = r31d * force32 + r31 * force32d - (r32d * force31 + r32 * force31d);
@@ -1900,6 +1907,758 @@ void maggi_wheel_forces_dv(const maggi_topo *t, const double p[restrict t->np],
       Fd[i][2][nd] = force32d;
       Fd[i][5][nd] = moment2d + (f_i3d * T2 + f_i3 * T2d[nd]) + (f_i4d * L2 + f_i4 * L2d[nd]) +
           (f_i5d * N2 + f_i5 * N2d[nd]);
+    }
+  }
+}
+
+/* Rates of the coordinates on which wheels turn at which they roll freely, kappa = 0: with V the velocity of
+ * the contact point on the carrier and w the velocity of the wheel by its coordinate
+ *   v = V.t / (Re w.u) */
+void maggi_rolling_dv(const maggi_topo *t, const double p[restrict t->np],
+                      const double pd[restrict t->np][MAGGI_NDIR],
+                      const double spline0[restrict t->nspline][3],
+                      const double spline0d[restrict t->nspline][3][MAGGI_NDIR],
+                      const double A[restrict t->nbody + 1][9],
+                      const double Ad[restrict t->nbody + 1][9][MAGGI_NDIR],
+                      const double b[restrict t->nbody][6],
+                      const double bd[restrict t->nbody][6][MAGGI_NDIR],
+                      const double r[restrict t->npoint][3],
+                      const double rd[restrict t->npoint][3][MAGGI_NDIR],
+                      const double Z[restrict t->nbody + 1][6],
+                      const double Zd[restrict t->nbody + 1][6][MAGGI_NDIR],
+                      double spin[restrict t->nwheel], double spind[restrict t->nwheel][MAGGI_NDIR],
+                      int nbdirs)
+{
+  int adr, body, carrier, i, k4, k6, k7, k9, nd, road;
+  double N0, N1, N2, T0, T1, T2, a, a2, a3, a4, along0, along1, along2, arm0, arm1, arm2, axis0,
+      axis1, axis2, b20, b3, b40, b41, b5, base, base2, c0, c1, c10, c11, c12, c13, c14, c15, c16,
+      c17, c18, c19, c2, c2_2, c3, c4, c5, c6, c7, c8, c9, e, e2, f, f2, fz, fz0, fz0inv, g0, g2, h,
+      h00, h0_2, h0_3, h10, h11, h12, h1_2, h1_3, h2, h2_2, h2_2inv, h2_3, h2_3inv, h2inv, h3, h3_2,
+      h3_2inv, h3inv, hinv, inv, inv2, inv3, k5, k8, n2, n2inv, normal0, normal1, normal2, p2, p3,
+      p4, p5, p6, p7, p_road, p_road2, p_road3, p_road4, p_road5, p_road6, p_roadk6, p_roadk61,
+      p_roadk9, p_roadk91, p_roadroad, p_roadroad2, r2, radius, radius2, ratio, re, rhov, s, s20,
+      s30, s31, sinv, slope, slope2, slope2_2, slope3, spline0_roadk60, spline0_roadk610,
+      spline0_roadk90, spline0_roadk910, t10, t11, t12, t13, t14, t14inv, t15, t16, t16inv, t17,
+      t18, t19, t2, t20, t21, t22, t23, t24, t24inv, t25, t26, t26inv, t27, t27inv, t28, t29, t3,
+      t30, t31, t32, t33, t34, t34inv, t35, t36, t36inv, t37, t38, t39, t4, t40, t41, t42, t43,
+      t43inv, t5, t6, t7, t7inv, t8, t9, t9inv, u0, u1, u2, u2_2, u3, ua0, ua1, ua2, un0, un1, un2,
+      v0, v1, v2, w0, w1, w2, w2_2, w2inv, w3, w4, way, way2, wr0, wr1, wr2, x, x2, x3, x4, y, y2,
+      z0, z2, z2_2, z2_2inv, z2_3, z2inv, z3, z3_2, z3_3, z3_3inv, z3inv;
+  double T0d[MAGGI_NDIR], T1d[MAGGI_NDIR], T2d[MAGGI_NDIR], b20d[MAGGI_NDIR], b40d[MAGGI_NDIR],
+      b41d[MAGGI_NDIR], base2d[MAGGI_NDIR], based[MAGGI_NDIR], c3d[MAGGI_NDIR], c5d[MAGGI_NDIR],
+      f2d[MAGGI_NDIR], fd[MAGGI_NDIR], fz0d[MAGGI_NDIR], fzd[MAGGI_NDIR], g0d[MAGGI_NDIR],
+      g2d[MAGGI_NDIR], h00d[MAGGI_NDIR], h10d[MAGGI_NDIR], h11d[MAGGI_NDIR], h12d[MAGGI_NDIR],
+      radius2d[MAGGI_NDIR], radiusd[MAGGI_NDIR], red[MAGGI_NDIR], s20d[MAGGI_NDIR],
+      s30d[MAGGI_NDIR], s31d[MAGGI_NDIR], u0d[MAGGI_NDIR], u1d[MAGGI_NDIR], u2_2d[MAGGI_NDIR],
+      v0d[MAGGI_NDIR], v1d[MAGGI_NDIR], v2d[MAGGI_NDIR], x2d[MAGGI_NDIR], x3d[MAGGI_NDIR],
+      x4d[MAGGI_NDIR], xd[MAGGI_NDIR], y2d[MAGGI_NDIR], yd[MAGGI_NDIR];
+
+  (void)nbdirs;
+  for (i = 0; i < t->nwheel; ++i) {
+    adr = t->tyreadr[t->wheeltyre[i]];
+    body = t->wheelbody[i];
+    carrier = t->wheelcarrier[i];
+    /* the unit axis u of wheel i, and where it meets its road */
+    road = t->wheelroad[i];
+    axis0 = p[t->wheelaxis[i]];
+    axis1 = p[t->wheelaxis[i] + 1];
+    axis2 = p[t->wheelaxis[i] + 2];
+    ua0 = A[t->wheelbody[i]][0] * axis0 + A[t->wheelbody[i]][1] * axis1 + A[t->wheelbody[i]][2] *
+        axis2;
+    ua1 = A[t->wheelbody[i]][3] * axis0 + A[t->wheelbody[i]][4] * axis1 + A[t->wheelbody[i]][5] *
+        axis2;
+    ua2 = A[t->wheelbody[i]][6] * axis0 + A[t->wheelbody[i]][7] * axis1 + A[t->wheelbody[i]][8] *
+        axis2;
+    t2 = ua0 * ua0 + ua1 * ua1 + ua2 * ua2;
+    n2 = sqrt(t2);
+    c7 = 1.0 / (2.0 * n2);
+    u0 = ua0 / n2;
+    n2inv = 1.0 / n2;
+    u1 = ua1 / n2;
+    u2_2 = ua2 / n2;
+    g0 = r[t->wheelpoint[i]][0] - r[t->roadpoint[road]][0];
+    g2 = r[t->wheelpoint[i]][2] - r[t->roadpoint[road]][2];
+    x2 = g0;
+#pragma omp simd
+    for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+      double axis0d, axis1d, axis2d, n2d, t2d, ua0d, ua1d, ua2d;
+
+      axis0d = pd[t->wheelaxis[i]][nd];
+      axis1d = pd[t->wheelaxis[i] + 1][nd];
+      axis2d = pd[t->wheelaxis[i] + 2][nd];
+      ua0d = Ad[t->wheelbody[i]][0][nd] * axis0 + A[t->wheelbody[i]][0] * axis0d +
+          (Ad[t->wheelbody[i]][1][nd] * axis1 + A[t->wheelbody[i]][1] * axis1d) +
+          (Ad[t->wheelbody[i]][2][nd] * axis2 + A[t->wheelbody[i]][2] * axis2d);
+      ua1d = Ad[t->wheelbody[i]][3][nd] * axis0 + A[t->wheelbody[i]][3] * axis0d +
+          (Ad[t->wheelbody[i]][4][nd] * axis1 + A[t->wheelbody[i]][4] * axis1d) +
+          (Ad[t->wheelbody[i]][5][nd] * axis2 + A[t->wheelbody[i]][5] * axis2d);
+      ua2d = Ad[t->wheelbody[i]][6][nd] * axis0 + A[t->wheelbody[i]][6] * axis0d +
+          (Ad[t->wheelbody[i]][7][nd] * axis1 + A[t->wheelbody[i]][7] * axis1d) +
+          (Ad[t->wheelbody[i]][8][nd] * axis2 + A[t->wheelbody[i]][8] * axis2d);
+      t2d = ua0d * ua0 + ua0 * ua0d + (ua1d * ua1 + ua1 * ua1d) + (ua2d * ua2 + ua2 * ua2d);
+      n2d = c7 * t2d;
+      u0d[nd] = (ua0d - u0 * n2d) * n2inv;
+      u1d[nd] = (ua1d - u1 * n2d) * n2inv;
+      u2_2d[nd] = (ua2d - u2_2 * n2d) * n2inv;
+      g0d[nd] = rd[t->wheelpoint[i]][0][nd] - rd[t->roadpoint[road]][0][nd];
+      g2d[nd] = rd[t->wheelpoint[i]][2][nd] - rd[t->roadpoint[road]][2][nd];
+      /* Where the rigid disc of a wheel meets the road: the plane that touches the road where the line from
+       * the centre down the disc meets it, n its normal; then down the disc to that plane,
+       *   e = (u.n u - n) / |u × n|,  r = (c - q).n / |u × n|,  T = u × n / |u × n|,  L = n × T
+       * g: centre c from the point of the road.  arm: r e; z: r, u.n, |u × n|, slope that the plane lacks */
+      x2d[nd] = g0d[nd];
+    }
+    if (t->roadkind[road] == MAGGI_ROAD_FLAT) {
+      p_road = p[t->roadadr[road]];
+      h00 = p_road * x2;
+#pragma omp simd
+      for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+        double p_roadd;
+
+        p_roadd = pd[t->roadadr[road]][nd];
+        h00d[nd] = p_roadd * x2 + p_road * x2d[nd];
+      }
+    } else if (t->roadkind[road] == MAGGI_ROAD_SINE) {
+      k5 = 6.28318530717958647693 / p[t->roadadr[road] + 1];
+      inv = 1.0 / p[t->roadadr[road] + 1];
+      t3 = k5 * x2;
+      t4 = sin(t3);
+      c8 = cos(t3);
+      p_road2 = p[t->roadadr[road]];
+      h00 = p_road2 * t4;
+#pragma omp simd
+      for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+        double k5d, p_road2d, t3d, t4d;
+
+        k5d = -(k5 * pd[t->roadadr[road] + 1][nd] * inv);
+        t3d = k5d * x2 + k5 * x2d[nd];
+        t4d = c8 * t3d;
+        p_road2d = pd[t->roadadr[road]][nd];
+        h00d[nd] = p_road2d * t4 + p_road2 * t4d;
+      }
+    } else if (t->roadkind[road] == MAGGI_ROAD_BUMPS) {
+      k4 = nearest_nodiff(t->np, p, t->roadadr[road], t->roadn[road], x2);
+      x3 = x2 - p[t->roadadr[road] + MAGGI_BUMPS_FIRST] - k4 * p[t->roadadr[road] +
+          MAGGI_BUMPS_SPACING];
+      radius = p[t->roadadr[road]];
+      base = radius - p[t->roadadr[road] + MAGGI_BUMPS_HEIGHT];
+      t5 = radius * radius - base * base;
+      c3 = sqrt(t5);
+      c9 = 1.0 / (2.0 * c3);
+      f = 0.5 * p[t->roadadr[road] + MAGGI_BUMPS_FILLET];
+#pragma omp simd
+      for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+        double t5d;
+
+        x3d[nd] = x2d[nd] - pd[t->roadadr[road] + MAGGI_BUMPS_FIRST][nd] - k4 * pd[t->roadadr[road]
+            + MAGGI_BUMPS_SPACING][nd];
+        /* A cylinder across the road, at x from its axis:  h = sqrt(R^2 - x^2) - (R - height), up to where it
+         * meets the road, |x| = c.  From c - f to c + f a fillet with two continuous derivatives,
+         *   h = u^3 (h0 + a (1 - u) + b (1 - u)^2),  u = (c + f - |x|) / (2 f),  h0, a, b: h, h', h'' at u = 1 */
+        radiusd[nd] = pd[t->roadadr[road]][nd];
+        based[nd] = radiusd[nd] - pd[t->roadadr[road] + MAGGI_BUMPS_HEIGHT][nd];
+        t5d = radiusd[nd] * radius + radius * radiusd[nd] - (based[nd] * base + base * based[nd]);
+        c3d[nd] = c9 * t5d;
+        fd[nd] = 0.5 * pd[t->roadadr[road] + MAGGI_BUMPS_FILLET][nd];
+      }
+      if (MAGGI_RE(x3) > 0.0) {
+        way = 1.0;
+      } else {
+        way = -1.0;
+      }
+      y = way * x3;
+#pragma omp simd
+      for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+        yd[nd] = way * x3d[nd];
+      }
+      if (MAGGI_RE(y) >= MAGGI_RE(c3 + f)) {
+        b20 = 0.0;
+#pragma omp simd
+        for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+          b20d[nd] = 0.0;
+        }
+      } else if (MAGGI_RE(y) > MAGGI_RE(c3 - f)) {
+        t6 = radius * radius - (c3 - f) * (c3 - f);
+        z2 = sqrt(t6);
+        c10 = 1.0 / (2.0 * z2);
+        h0_2 = z2 - base;
+        h1_2 = 2.0 * f * (c3 - f) / z2;
+        z2inv = 1.0 / z2;
+        a = 3.0 * h0_2 - h1_2;
+        t7 = z2 * z2 * z2;
+        t8 = 2.0 * f * f * radius * radius / t7;
+        t7inv = 1.0 / t7;
+        b3 = 6.0 * h0_2 - 3.0 * h1_2 - t8;
+        t9 = 2.0 * f;
+        u2 = (c3 + f - y) / t9;
+        t9inv = 1.0 / t9;
+        w3 = 1.0 - u2;
+        b20 = u2 * u2 * u2 * (h0_2 + w3 * (a + w3 * b3));
+#pragma omp simd
+        for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+          double ad, b3d, h0_2d, h1_2d, t6d, t7d, t8d, t9d, u2d, w3d, z2d;
+
+          t6d = radiusd[nd] * radius + radius * radiusd[nd] - ((c3d[nd] - fd[nd]) * (c3 - f) + (c3 -
+              f) * (c3d[nd] - fd[nd]));
+          z2d = c10 * t6d;
+          h0_2d = z2d - based[nd];
+          h1_2d = (2.0 * fd[nd] * (c3 - f) + 2.0 * f * (c3d[nd] - fd[nd]) - h1_2 * z2d) * z2inv;
+          ad = 3.0 * h0_2d - h1_2d;
+          t7d = (z2d * z2 + z2 * z2d) * z2 + z2 * z2 * z2d;
+          t8d = (((2.0 * fd[nd] * f + 2.0 * f * fd[nd]) * radius + 2.0 * f * f * radiusd[nd]) *
+              radius + 2.0 * f * f * radius * radiusd[nd] - t8 * t7d) * t7inv;
+          b3d = 6.0 * h0_2d - 3.0 * h1_2d - t8d;
+          t9d = 2.0 * fd[nd];
+          u2d = (c3d[nd] + fd[nd] - yd[nd] - u2 * t9d) * t9inv;
+          w3d = -u2d;
+          b20d[nd] = ((u2d * u2 + u2 * u2d) * u2 + u2 * u2 * u2d) * (h0_2 + w3 * (a + w3 * b3)) + u2
+              * u2 * u2 * (h0_2d + (w3d * (a + w3 * b3) + w3 * (ad + (w3d * b3 + w3 * b3d))));
+        }
+      } else {
+        t10 = radius * radius - y * y;
+        z2_3 = sqrt(t10);
+        c11 = 1.0 / (2.0 * z2_3);
+        b20 = z2_3 - base;
+#pragma omp simd
+        for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+          double t10d, z2_3d;
+
+          t10d = radiusd[nd] * radius + radius * radiusd[nd] - (yd[nd] * y + y * yd[nd]);
+          z2_3d = c11 * t10d;
+          b20d[nd] = z2_3d - based[nd];
+        }
+      }
+      h00 = b20;
+#pragma omp simd
+      for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+        h00d[nd] = b20d[nd];
+      }
+    } else {
+      k6 = maggi_piece(t->np, p, t->roadadr[road], t->roadn[road], x2);
+      if (k6 < 0) {
+        p_road3 = p[t->roadadr[road]];
+        h = p[t->roadadr[road] + 1] - p_road3;
+        p_roadroad = p[t->roadadr[road] + t->roadn[road]];
+        t11 = (p[t->roadadr[road] + t->roadn[road] + 1] - p_roadroad) / h;
+        hinv = 1.0 / h;
+        slope = t11 - h / 6.0 * (2.0 * spline0[t->roadspline[road]][0] + spline0[t->roadspline[road]
+            + 1][0]);
+        s20 = p_roadroad + slope * (x2 - p_road3);
+#pragma omp simd
+        for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+          double hd, p_road3d, p_roadroadd, sloped, t11d;
+
+          p_road3d = pd[t->roadadr[road]][nd];
+          hd = pd[t->roadadr[road] + 1][nd] - p_road3d;
+          p_roadroadd = pd[t->roadadr[road] + t->roadn[road]][nd];
+          t11d = (pd[t->roadadr[road] + t->roadn[road] + 1][nd] - p_roadroadd - t11 * hd) * hinv;
+          sloped = t11d - (hd / 6.0 * (2.0 * spline0[t->roadspline[road]][0] +
+              spline0[t->roadspline[road] + 1][0]) + h / 6.0 * (2.0 *
+              spline0d[t->roadspline[road]][0][nd] + spline0d[t->roadspline[road] + 1][0][nd]));
+          s20d[nd] = p_roadroadd + (sloped * (x2 - p_road3) + slope * (x2d[nd] - p_road3d));
+        }
+      } else if (k6 > t->roadn[road] - 2) {
+        p2 = p[t->roadadr[road] + t->roadn[road] - 1];
+        h3 = p2 - p[t->roadadr[road] + t->roadn[road] - 2];
+        p3 = p[t->roadadr[road] + t->roadn[road] + t->roadn[road] - 1];
+        t12 = (p3 - p[t->roadadr[road] + t->roadn[road] + t->roadn[road] - 2]) / h3;
+        h3inv = 1.0 / h3;
+        slope3 = t12 + h3 / 6.0 * (spline0[t->roadspline[road] + t->roadn[road] - 2][0] + 2.0 *
+            spline0[t->roadspline[road] + t->roadn[road] - 1][0]);
+        s20 = p3 + slope3 * (x2 - p2);
+#pragma omp simd
+        for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+          double h3d, p2d, p3d, slope3d, t12d;
+
+          p2d = pd[t->roadadr[road] + t->roadn[road] - 1][nd];
+          h3d = p2d - pd[t->roadadr[road] + t->roadn[road] - 2][nd];
+          p3d = pd[t->roadadr[road] + t->roadn[road] + t->roadn[road] - 1][nd];
+          t12d = (p3d - pd[t->roadadr[road] + t->roadn[road] + t->roadn[road] - 2][nd] - t12 * h3d)
+              * h3inv;
+          slope3d = t12d + (h3d / 6.0 * (spline0[t->roadspline[road] + t->roadn[road] - 2][0] + 2.0
+              * spline0[t->roadspline[road] + t->roadn[road] - 1][0]) + h3 / 6.0 *
+              (spline0d[t->roadspline[road] + t->roadn[road] - 2][0][nd] + 2.0 *
+              spline0d[t->roadspline[road] + t->roadn[road] - 1][0][nd]));
+          s20d[nd] = p3d + (slope3d * (x2 - p2) + slope3 * (x2d[nd] - p2d));
+        }
+      } else {
+        p_roadk61 = p[t->roadadr[road] + k6 + 1];
+        p_roadk6 = p[t->roadadr[road] + k6];
+        h3_2 = p_roadk61 - p_roadk6;
+        a2 = p_roadk61 - x2;
+        c4 = x2 - p_roadk6;
+        p4 = p[t->roadadr[road] + t->roadn[road] + k6];
+        t13 = (p[t->roadadr[road] + t->roadn[road] + k6 + 1] - p4) / h3_2;
+        h3_2inv = 1.0 / h3_2;
+        spline0_roadk610 = spline0[t->roadspline[road] + k6 + 1][0];
+        spline0_roadk60 = spline0[t->roadspline[road] + k6][0];
+        e = t13 - h3_2 / 6.0 * (spline0_roadk610 - spline0_roadk60);
+        t14 = 6.0 * h3_2;
+        t15 = (spline0_roadk60 * a2 * a2 * a2 + spline0_roadk610 * c4 * c4 * c4) / t14;
+        t14inv = 1.0 / t14;
+        s20 = t15 + p4 - spline0_roadk60 * h3_2 * h3_2 / 6.0 + e * c4;
+#pragma omp simd
+        for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+          double a2d, c4d, ed, h3_2d, p4d, p_roadk61d, p_roadk6d, spline0_roadk60d,
+              spline0_roadk610d, t13d, t14d, t15d;
+
+          p_roadk61d = pd[t->roadadr[road] + k6 + 1][nd];
+          p_roadk6d = pd[t->roadadr[road] + k6][nd];
+          h3_2d = p_roadk61d - p_roadk6d;
+          a2d = p_roadk61d - x2d[nd];
+          c4d = x2d[nd] - p_roadk6d;
+          p4d = pd[t->roadadr[road] + t->roadn[road] + k6][nd];
+          t13d = (pd[t->roadadr[road] + t->roadn[road] + k6 + 1][nd] - p4d - t13 * h3_2d) * h3_2inv;
+          spline0_roadk610d = spline0d[t->roadspline[road] + k6 + 1][0][nd];
+          spline0_roadk60d = spline0d[t->roadspline[road] + k6][0][nd];
+          ed = t13d - (h3_2d / 6.0 * (spline0_roadk610 - spline0_roadk60) + h3_2 / 6.0 *
+              (spline0_roadk610d - spline0_roadk60d));
+          t14d = 6.0 * h3_2d;
+          t15d = (((spline0_roadk60d * a2 + spline0_roadk60 * a2d) * a2 + spline0_roadk60 * a2 *
+              a2d) * a2 + spline0_roadk60 * a2 * a2 * a2d + (((spline0_roadk610d * c4 +
+              spline0_roadk610 * c4d) * c4 + spline0_roadk610 * c4 * c4d) * c4 + spline0_roadk610 *
+              c4 * c4 * c4d) - t15 * t14d) * t14inv;
+          s20d[nd] = t15d + p4d - ((spline0_roadk60d * h3_2 + spline0_roadk60 * h3_2d) * h3_2 +
+              spline0_roadk60 * h3_2 * h3_2d) / 6.0 + (ed * c4 + e * c4d);
+        }
+      }
+      h00 = s20;
+#pragma omp simd
+      for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+        h00d[nd] = s20d[nd];
+      }
+    }
+    t16 = u0 * u0 + u1 * u1;
+    t17 = u2_2 * u0 / t16;
+    t16inv = 1.0 / t16;
+    x = g0 + t17 * (g2 - h00);
+#pragma omp simd
+    for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+      double t16d, t17d;
+
+      t16d = u0d[nd] * u0 + u0 * u0d[nd] + (u1d[nd] * u1 + u1 * u1d[nd]);
+      t17d = (u2_2d[nd] * u0 + u2_2 * u0d[nd] - t17 * t16d) * t16inv;
+      xd[nd] = g0d[nd] + (t17d * (g2 - h00) + t17 * (g2d[nd] - h00d[nd]));
+    }
+    if (t->roadkind[road] == MAGGI_ROAD_FLAT) {
+      p_road4 = p[t->roadadr[road]];
+      h10 = p_road4 * x;
+      h11 = p_road4;
+      h12 = 0.0;
+#pragma omp simd
+      for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+        double p_road4d;
+
+        p_road4d = pd[t->roadadr[road]][nd];
+        h10d[nd] = p_road4d * x + p_road4 * xd[nd];
+        h11d[nd] = p_road4d;
+        h12d[nd] = 0.0;
+      }
+    } else if (t->roadkind[road] == MAGGI_ROAD_SINE) {
+      k8 = 6.28318530717958647693 / p[t->roadadr[road] + 1];
+      inv2 = 1.0 / p[t->roadadr[road] + 1];
+      t18 = k8 * x;
+      t19 = sin(t18);
+      c12 = cos(t18);
+      p_road5 = p[t->roadadr[road]];
+      h10 = p_road5 * t19;
+      t20 = k8 * x;
+      t21 = cos(t20);
+      c13 = -sin(t20);
+      h11 = k8 * p_road5 * t21;
+      h12 = 0.0;
+#pragma omp simd
+      for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+        double k8d, p_road5d, t18d, t19d, t20d, t21d;
+
+        k8d = -(k8 * pd[t->roadadr[road] + 1][nd] * inv2);
+        t18d = k8d * x + k8 * xd[nd];
+        t19d = c12 * t18d;
+        p_road5d = pd[t->roadadr[road]][nd];
+        h10d[nd] = p_road5d * t19 + p_road5 * t19d;
+        t20d = k8d * x + k8 * xd[nd];
+        t21d = c13 * t20d;
+        h11d[nd] = (k8d * p_road5 + k8 * p_road5d) * t21 + k8 * p_road5 * t21d;
+        h12d[nd] = 0.0;
+      }
+    } else if (t->roadkind[road] == MAGGI_ROAD_BUMPS) {
+      k7 = nearest_nodiff(t->np, p, t->roadadr[road], t->roadn[road], x);
+      x4 = x - p[t->roadadr[road] + MAGGI_BUMPS_FIRST] - k7 * p[t->roadadr[road] +
+          MAGGI_BUMPS_SPACING];
+      radius2 = p[t->roadadr[road]];
+      base2 = radius2 - p[t->roadadr[road] + MAGGI_BUMPS_HEIGHT];
+      t22 = radius2 * radius2 - base2 * base2;
+      c5 = sqrt(t22);
+      c14 = 1.0 / (2.0 * c5);
+      f2 = 0.5 * p[t->roadadr[road] + MAGGI_BUMPS_FILLET];
+#pragma omp simd
+      for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+        double t22d;
+
+        x4d[nd] = xd[nd] - pd[t->roadadr[road] + MAGGI_BUMPS_FIRST][nd] - k7 * pd[t->roadadr[road] +
+            MAGGI_BUMPS_SPACING][nd];
+        /* A cylinder across the road, at x from its axis:  h = sqrt(R^2 - x^2) - (R - height), up to where it
+         * meets the road, |x| = c.  From c - f to c + f a fillet with two continuous derivatives,
+         *   h = u^3 (h0 + a (1 - u) + b (1 - u)^2),  u = (c + f - |x|) / (2 f),  h0, a, b: h, h', h'' at u = 1 */
+        radius2d[nd] = pd[t->roadadr[road]][nd];
+        base2d[nd] = radius2d[nd] - pd[t->roadadr[road] + MAGGI_BUMPS_HEIGHT][nd];
+        t22d = radius2d[nd] * radius2 + radius2 * radius2d[nd] - (base2d[nd] * base2 + base2 *
+            base2d[nd]);
+        c5d[nd] = c14 * t22d;
+        f2d[nd] = 0.5 * pd[t->roadadr[road] + MAGGI_BUMPS_FILLET][nd];
+      }
+      if (MAGGI_RE(x4) > 0.0) {
+        way2 = 1.0;
+      } else {
+        way2 = -1.0;
+      }
+      y2 = way2 * x4;
+#pragma omp simd
+      for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+        y2d[nd] = way2 * x4d[nd];
+      }
+      if (MAGGI_RE(y2) >= MAGGI_RE(c5 + f2)) {
+        b40 = 0.0;
+        b41 = 0.0;
+#pragma omp simd
+        for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+          b40d[nd] = 0.0;
+          b41d[nd] = 0.0;
+        }
+      } else if (MAGGI_RE(y2) > MAGGI_RE(c5 - f2)) {
+        t23 = radius2 * radius2 - (c5 - f2) * (c5 - f2);
+        z3 = sqrt(t23);
+        c15 = 1.0 / (2.0 * z3);
+        h0_3 = z3 - base2;
+        h1_3 = 2.0 * f2 * (c5 - f2) / z3;
+        z3inv = 1.0 / z3;
+        a3 = 3.0 * h0_3 - h1_3;
+        t24 = z3 * z3 * z3;
+        t25 = 2.0 * f2 * f2 * radius2 * radius2 / t24;
+        t24inv = 1.0 / t24;
+        b5 = 6.0 * h0_3 - 3.0 * h1_3 - t25;
+        t26 = 2.0 * f2;
+        u3 = (c5 + f2 - y2) / t26;
+        t26inv = 1.0 / t26;
+        w4 = 1.0 - u3;
+        b40 = u3 * u3 * u3 * (h0_3 + w4 * (a3 + w4 * b5));
+        t27 = 2.0 * f2;
+        t28 = -way2 * u3 * u3 * (3.0 * (h0_3 + w4 * (a3 + w4 * b5)) - u3 * (a3 + 2.0 * w4 * b5)) /
+            t27;
+        t27inv = 1.0 / t27;
+        b41 = t28;
+#pragma omp simd
+        for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+          double a3d, b5d, h0_3d, h1_3d, t23d, t24d, t25d, t26d, t27d, t28d, u3d, w4d, z3d;
+
+          t23d = radius2d[nd] * radius2 + radius2 * radius2d[nd] - ((c5d[nd] - f2d[nd]) * (c5 - f2)
+              + (c5 - f2) * (c5d[nd] - f2d[nd]));
+          z3d = c15 * t23d;
+          h0_3d = z3d - base2d[nd];
+          h1_3d = (2.0 * f2d[nd] * (c5 - f2) + 2.0 * f2 * (c5d[nd] - f2d[nd]) - h1_3 * z3d) * z3inv;
+          a3d = 3.0 * h0_3d - h1_3d;
+          t24d = (z3d * z3 + z3 * z3d) * z3 + z3 * z3 * z3d;
+          t25d = (((2.0 * f2d[nd] * f2 + 2.0 * f2 * f2d[nd]) * radius2 + 2.0 * f2 * f2 *
+              radius2d[nd]) * radius2 + 2.0 * f2 * f2 * radius2 * radius2d[nd] - t25 * t24d) *
+              t24inv;
+          b5d = 6.0 * h0_3d - 3.0 * h1_3d - t25d;
+          t26d = 2.0 * f2d[nd];
+          u3d = (c5d[nd] + f2d[nd] - y2d[nd] - u3 * t26d) * t26inv;
+          w4d = -u3d;
+          b40d[nd] = ((u3d * u3 + u3 * u3d) * u3 + u3 * u3 * u3d) * (h0_3 + w4 * (a3 + w4 * b5)) +
+              u3 * u3 * u3 * (h0_3d + (w4d * (a3 + w4 * b5) + w4 * (a3d + (w4d * b5 + w4 * b5d))));
+          t27d = 2.0 * f2d[nd];
+          t28d = ((-(way2 * u3d * u3) + -way2 * u3 * u3d) * (3.0 * (h0_3 + w4 * (a3 + w4 * b5)) - u3
+              * (a3 + 2.0 * w4 * b5)) + -way2 * u3 * u3 * (3.0 * (h0_3d + (w4d * (a3 + w4 * b5) + w4
+              * (a3d + (w4d * b5 + w4 * b5d)))) - (u3d * (a3 + 2.0 * w4 * b5) + u3 * (a3d + (2.0 *
+              w4d * b5 + 2.0 * w4 * b5d)))) - t28 * t27d) * t27inv;
+          b41d[nd] = t28d;
+        }
+      } else {
+        t29 = radius2 * radius2 - y2 * y2;
+        z3_3 = sqrt(t29);
+        c16 = 1.0 / (2.0 * z3_3);
+        b40 = z3_3 - base2;
+        t30 = -x4 / z3_3;
+        z3_3inv = 1.0 / z3_3;
+        b41 = t30;
+#pragma omp simd
+        for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+          double t29d, t30d, z3_3d;
+
+          t29d = radius2d[nd] * radius2 + radius2 * radius2d[nd] - (y2d[nd] * y2 + y2 * y2d[nd]);
+          z3_3d = c16 * t29d;
+          b40d[nd] = z3_3d - base2d[nd];
+          t30d = (-x4d[nd] - t30 * z3_3d) * z3_3inv;
+          b41d[nd] = t30d;
+        }
+      }
+      h10 = b40;
+      h11 = 0.0;
+      h12 = b41;
+#pragma omp simd
+      for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+        h10d[nd] = b40d[nd];
+        h11d[nd] = 0.0;
+        h12d[nd] = b41d[nd];
+      }
+    } else {
+      k9 = maggi_piece(t->np, p, t->roadadr[road], t->roadn[road], x);
+      if (k9 < 0) {
+        p_road6 = p[t->roadadr[road]];
+        h2 = p[t->roadadr[road] + 1] - p_road6;
+        p_roadroad2 = p[t->roadadr[road] + t->roadn[road]];
+        t31 = (p[t->roadadr[road] + t->roadn[road] + 1] - p_roadroad2) / h2;
+        h2inv = 1.0 / h2;
+        slope2 = t31 - h2 / 6.0 * (2.0 * spline0[t->roadspline[road]][0] +
+            spline0[t->roadspline[road] + 1][0]);
+        s30 = p_roadroad2 + slope2 * (x - p_road6);
+        s31 = slope2;
+#pragma omp simd
+        for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+          double h2d, p_road6d, p_roadroad2d, slope2d, t31d;
+
+          p_road6d = pd[t->roadadr[road]][nd];
+          h2d = pd[t->roadadr[road] + 1][nd] - p_road6d;
+          p_roadroad2d = pd[t->roadadr[road] + t->roadn[road]][nd];
+          t31d = (pd[t->roadadr[road] + t->roadn[road] + 1][nd] - p_roadroad2d - t31 * h2d) * h2inv;
+          slope2d = t31d - (h2d / 6.0 * (2.0 * spline0[t->roadspline[road]][0] +
+              spline0[t->roadspline[road] + 1][0]) + h2 / 6.0 * (2.0 *
+              spline0d[t->roadspline[road]][0][nd] + spline0d[t->roadspline[road] + 1][0][nd]));
+          s30d[nd] = p_roadroad2d + (slope2d * (x - p_road6) + slope2 * (xd[nd] - p_road6d));
+          s31d[nd] = slope2d;
+        }
+      } else if (k9 > t->roadn[road] - 2) {
+        p5 = p[t->roadadr[road] + t->roadn[road] - 1];
+        h2_2 = p5 - p[t->roadadr[road] + t->roadn[road] - 2];
+        p6 = p[t->roadadr[road] + t->roadn[road] + t->roadn[road] - 1];
+        t32 = (p6 - p[t->roadadr[road] + t->roadn[road] + t->roadn[road] - 2]) / h2_2;
+        h2_2inv = 1.0 / h2_2;
+        slope2_2 = t32 + h2_2 / 6.0 * (spline0[t->roadspline[road] + t->roadn[road] - 2][0] + 2.0 *
+            spline0[t->roadspline[road] + t->roadn[road] - 1][0]);
+        s30 = p6 + slope2_2 * (x - p5);
+        s31 = slope2_2;
+#pragma omp simd
+        for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+          double h2_2d, p5d, p6d, slope2_2d, t32d;
+
+          p5d = pd[t->roadadr[road] + t->roadn[road] - 1][nd];
+          h2_2d = p5d - pd[t->roadadr[road] + t->roadn[road] - 2][nd];
+          p6d = pd[t->roadadr[road] + t->roadn[road] + t->roadn[road] - 1][nd];
+          t32d = (p6d - pd[t->roadadr[road] + t->roadn[road] + t->roadn[road] - 2][nd] - t32 *
+              h2_2d) * h2_2inv;
+          slope2_2d = t32d + (h2_2d / 6.0 * (spline0[t->roadspline[road] + t->roadn[road] - 2][0] +
+              2.0 * spline0[t->roadspline[road] + t->roadn[road] - 1][0]) + h2_2 / 6.0 *
+              (spline0d[t->roadspline[road] + t->roadn[road] - 2][0][nd] + 2.0 *
+              spline0d[t->roadspline[road] + t->roadn[road] - 1][0][nd]));
+          s30d[nd] = p6d + (slope2_2d * (x - p5) + slope2_2 * (xd[nd] - p5d));
+          s31d[nd] = slope2_2d;
+        }
+      } else {
+        p_roadk91 = p[t->roadadr[road] + k9 + 1];
+        p_roadk9 = p[t->roadadr[road] + k9];
+        h2_3 = p_roadk91 - p_roadk9;
+        a4 = p_roadk91 - x;
+        c6 = x - p_roadk9;
+        p7 = p[t->roadadr[road] + t->roadn[road] + k9];
+        t33 = (p[t->roadadr[road] + t->roadn[road] + k9 + 1] - p7) / h2_3;
+        h2_3inv = 1.0 / h2_3;
+        spline0_roadk910 = spline0[t->roadspline[road] + k9 + 1][0];
+        spline0_roadk90 = spline0[t->roadspline[road] + k9][0];
+        e2 = t33 - h2_3 / 6.0 * (spline0_roadk910 - spline0_roadk90);
+        t34 = 6.0 * h2_3;
+        t35 = (spline0_roadk90 * a4 * a4 * a4 + spline0_roadk910 * c6 * c6 * c6) / t34;
+        t34inv = 1.0 / t34;
+        s30 = t35 + p7 - spline0_roadk90 * h2_3 * h2_3 / 6.0 + e2 * c6;
+        t36 = 2.0 * h2_3;
+        t37 = (spline0_roadk910 * c6 * c6 - spline0_roadk90 * a4 * a4) / t36;
+        t36inv = 1.0 / t36;
+        s31 = t37 + e2;
+#pragma omp simd
+        for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+          double a4d, c6d, e2d, h2_3d, p7d, p_roadk91d, p_roadk9d, spline0_roadk90d,
+              spline0_roadk910d, t33d, t34d, t35d, t36d, t37d;
+
+          p_roadk91d = pd[t->roadadr[road] + k9 + 1][nd];
+          p_roadk9d = pd[t->roadadr[road] + k9][nd];
+          h2_3d = p_roadk91d - p_roadk9d;
+          a4d = p_roadk91d - xd[nd];
+          c6d = xd[nd] - p_roadk9d;
+          p7d = pd[t->roadadr[road] + t->roadn[road] + k9][nd];
+          t33d = (pd[t->roadadr[road] + t->roadn[road] + k9 + 1][nd] - p7d - t33 * h2_3d) * h2_3inv;
+          spline0_roadk910d = spline0d[t->roadspline[road] + k9 + 1][0][nd];
+          spline0_roadk90d = spline0d[t->roadspline[road] + k9][0][nd];
+          e2d = t33d - (h2_3d / 6.0 * (spline0_roadk910 - spline0_roadk90) + h2_3 / 6.0 *
+              (spline0_roadk910d - spline0_roadk90d));
+          t34d = 6.0 * h2_3d;
+          t35d = (((spline0_roadk90d * a4 + spline0_roadk90 * a4d) * a4 + spline0_roadk90 * a4 *
+              a4d) * a4 + spline0_roadk90 * a4 * a4 * a4d + (((spline0_roadk910d * c6 +
+              spline0_roadk910 * c6d) * c6 + spline0_roadk910 * c6 * c6d) * c6 + spline0_roadk910 *
+              c6 * c6 * c6d) - t35 * t34d) * t34inv;
+          s30d[nd] = t35d + p7d - ((spline0_roadk90d * h2_3 + spline0_roadk90 * h2_3d) * h2_3 +
+              spline0_roadk90 * h2_3 * h2_3d) / 6.0 + (e2d * c6 + e2 * c6d);
+          t36d = 2.0 * h2_3d;
+          t37d = ((spline0_roadk910d * c6 + spline0_roadk910 * c6d) * c6 + spline0_roadk910 * c6 *
+              c6d - ((spline0_roadk90d * a4 + spline0_roadk90 * a4d) * a4 + spline0_roadk90 * a4 *
+              a4d) - t37 * t36d) * t36inv;
+          s31d[nd] = t37d + e2d;
+        }
+      }
+      h10 = s30;
+      h11 = s31;
+      h12 = 0.0;
+#pragma omp simd
+      for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+        h10d[nd] = s30d[nd];
+        h11d[nd] = s31d[nd];
+        h12d[nd] = 0.0;
+      }
+    }
+    t38 = 1.0 + h11 * h11;
+    s = sqrt(t38);
+    c17 = 1.0 / (2.0 * s);
+    normal0 = -h11 / s;
+    sinv = 1.0 / s;
+    normal1 = 0.0;
+    normal2 = 1.0 / s;
+    c2 = u0 * normal0 + u1 * normal1 + u2_2 * normal2;
+    un0 = u1 * normal2 - u2_2 * normal1;
+    un1 = u2_2 * normal0 - u0 * normal2;
+    un2 = u0 * normal1 - u1 * normal0;
+    t39 = un0 * un0 + un1 * un1 + un2 * un2;
+    w2 = sqrt(t39);
+    c18 = 1.0 / (2.0 * w2);
+    r2 = ((g0 - x) * normal0 + (g2 - h10) * normal2) / w2;
+    w2inv = 1.0 / w2;
+    along0 = un0 / w2;
+    along1 = un1 / w2;
+    along2 = un2 / w2;
+    arm0 = r2 * (c2 * u0 - normal0) / w2;
+    T0 = along0;
+    N0 = normal0;
+    arm1 = r2 * (c2 * u1 - normal1) / w2;
+    T1 = along1;
+    N1 = normal1;
+    arm2 = r2 * (c2 * u2_2 - normal2) / w2;
+    T2 = along2;
+    N2 = normal2;
+    z0 = r2;
+    z2_2 = w2;
+    z3_2 = h12;
+    c0 = r[t->wheelpoint[i]][0] + arm0;
+    c1 = r[t->wheelpoint[i]][1] + arm1;
+    c2_2 = r[t->wheelpoint[i]][2] + arm2;
+    wr0 = Z[carrier][3];
+    wr1 = Z[carrier][4];
+    wr2 = Z[carrier][5];
+    w0 = wr1 * c2_2 - wr2 * c1;
+    w1 = wr2 * c0 - wr0 * c2_2;
+    w2_2 = wr0 * c1 - wr1 * c0;
+    v0 = Z[carrier][0] + w0;
+    v1 = Z[carrier][1] + w1;
+    v2 = Z[carrier][2] + w2_2;
+    rhov = (z3_2 * v0 - (v0 * N0 + v1 * N1 + v2 * N2)) / z2_2;
+    z2_2inv = 1.0 / z2_2;
+    fz = p[adr + MAGGI_TYRE_VERTICAL_STIFFNESS] * (p[adr + MAGGI_TYRE_UNLOADED_RADIUS] - z0) + p[adr
+        + MAGGI_TYRE_VERTICAL_DAMPING] * rhov;
+    fz0 = p[adr + MAGGI_TYRE_LFZO] * p[adr];
+#pragma omp simd
+    for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+      double N0d, N2d, along0d, along1d, along2d, arm0d, arm1d, arm2d, c0d, c1d, c2_2d, c2d,
+          normal0d, normal2d, r2d, rhovd, sd, t38d, t39d, un0d, un1d, un2d, w0d, w1d, w2_2d, w2d,
+          wr0d, wr1d, wr2d, z0d, z2_2d, z3_2d;
+
+      t38d = h11d[nd] * h11 + h11 * h11d[nd];
+      sd = c17 * t38d;
+      normal0d = (-h11d[nd] - normal0 * sd) * sinv;
+      normal2d = -(normal2 * sd * sinv);
+      c2d = u0d[nd] * normal0 + u0 * normal0d + u1d[nd] * normal1 + (u2_2d[nd] * normal2 + u2_2 *
+          normal2d);
+      un0d = u1d[nd] * normal2 + u1 * normal2d - u2_2d[nd] * normal1;
+      un1d = u2_2d[nd] * normal0 + u2_2 * normal0d - (u0d[nd] * normal2 + u0 * normal2d);
+      un2d = u0d[nd] * normal1 - (u1d[nd] * normal0 + u1 * normal0d);
+      t39d = un0d * un0 + un0 * un0d + (un1d * un1 + un1 * un1d) + (un2d * un2 + un2 * un2d);
+      w2d = c18 * t39d;
+      r2d = ((g0d[nd] - xd[nd]) * normal0 + (g0 - x) * normal0d + ((g2d[nd] - h10d[nd]) * normal2 +
+          (g2 - h10) * normal2d) - r2 * w2d) * w2inv;
+      along0d = (un0d - along0 * w2d) * w2inv;
+      along1d = (un1d - along1 * w2d) * w2inv;
+      along2d = (un2d - along2 * w2d) * w2inv;
+      arm0d = (r2d * (c2 * u0 - normal0) + r2 * (c2d * u0 + c2 * u0d[nd] - normal0d) - arm0 * w2d) *
+          w2inv;
+      T0d[nd] = along0d;
+      N0d = normal0d;
+      arm1d = (r2d * (c2 * u1 - normal1) + r2 * (c2d * u1 + c2 * u1d[nd]) - arm1 * w2d) * w2inv;
+      T1d[nd] = along1d;
+      arm2d = (r2d * (c2 * u2_2 - normal2) + r2 * (c2d * u2_2 + c2 * u2_2d[nd] - normal2d) - arm2 *
+          w2d) * w2inv;
+      T2d[nd] = along2d;
+      N2d = normal2d;
+      z0d = r2d;
+      z2_2d = w2d;
+      z3_2d = h12d[nd];
+      c0d = rd[t->wheelpoint[i]][0][nd] + arm0d;
+      c1d = rd[t->wheelpoint[i]][1][nd] + arm1d;
+      c2_2d = rd[t->wheelpoint[i]][2][nd] + arm2d;
+      wr0d = Zd[carrier][3][nd];
+      wr1d = Zd[carrier][4][nd];
+      wr2d = Zd[carrier][5][nd];
+      w0d = wr1d * c2_2 + wr1 * c2_2d - (wr2d * c1 + wr2 * c1d);
+      w1d = wr2d * c0 + wr2 * c0d - (wr0d * c2_2 + wr0 * c2_2d);
+      w2_2d = wr0d * c1 + wr0 * c1d - (wr1d * c0 + wr1 * c0d);
+      v0d[nd] = Zd[carrier][0][nd] + w0d;
+      v1d[nd] = Zd[carrier][1][nd] + w1d;
+      v2d[nd] = Zd[carrier][2][nd] + w2_2d;
+      rhovd = (z3_2d * v0 + z3_2 * v0d[nd] - (v0d[nd] * N0 + v0 * N0d + v1d[nd] * N1 + (v2d[nd] * N2
+          + v2 * N2d)) - rhov * z2_2d) * z2_2inv;
+      fzd[nd] = pd[adr + MAGGI_TYRE_VERTICAL_STIFFNESS][nd] * (p[adr + MAGGI_TYRE_UNLOADED_RADIUS] -
+          z0) + p[adr + MAGGI_TYRE_VERTICAL_STIFFNESS] * (pd[adr + MAGGI_TYRE_UNLOADED_RADIUS][nd] -
+          z0d) + (pd[adr + MAGGI_TYRE_VERTICAL_DAMPING][nd] * rhov + p[adr +
+          MAGGI_TYRE_VERTICAL_DAMPING] * rhovd);
+      /* Re = R0 - rho0 (D atan(B rd) + F rd),  rd = Fz / Fz0,  rho0 = Fz0 / Cz;  R0 in the air */
+      fz0d[nd] = pd[adr + MAGGI_TYRE_LFZO][nd] * p[adr] + p[adr + MAGGI_TYRE_LFZO] * pd[adr][nd];
+    }
+    if (MAGGI_RE(fz) > 0.0) {
+      ratio = fz / fz0;
+      fz0inv = 1.0 / fz0;
+      t40 = fz0 / p[adr + MAGGI_TYRE_VERTICAL_STIFFNESS];
+      inv3 = 1.0 / p[adr + MAGGI_TYRE_VERTICAL_STIFFNESS];
+      t41 = p[adr + MAGGI_TYRE_BREFF] * ratio;
+      t42 = atan(t41);
+      c19 = 1.0 / (1.0 + t41 * t41);
+      re = p[adr + MAGGI_TYRE_UNLOADED_RADIUS] - t40 * (p[adr + MAGGI_TYRE_DREFF] * t42 + p[adr +
+          MAGGI_TYRE_FREFF] * ratio);
+#pragma omp simd
+      for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+        double ratiod, t40d, t41d, t42d;
+
+        ratiod = (fzd[nd] - ratio * fz0d[nd]) * fz0inv;
+        t40d = (fz0d[nd] - t40 * pd[adr + MAGGI_TYRE_VERTICAL_STIFFNESS][nd]) * inv3;
+        t41d = pd[adr + MAGGI_TYRE_BREFF][nd] * ratio + p[adr + MAGGI_TYRE_BREFF] * ratiod;
+        t42d = c19 * t41d;
+        red[nd] = pd[adr + MAGGI_TYRE_UNLOADED_RADIUS][nd] - (t40d * (p[adr + MAGGI_TYRE_DREFF] *
+            t42 + p[adr + MAGGI_TYRE_FREFF] * ratio) + t40 * (pd[adr + MAGGI_TYRE_DREFF][nd] * t42 +
+            p[adr + MAGGI_TYRE_DREFF] * t42d + (pd[adr + MAGGI_TYRE_FREFF][nd] * ratio + p[adr +
+            MAGGI_TYRE_FREFF] * ratiod)));
+      }
+    } else {
+      re = p[adr + MAGGI_TYRE_UNLOADED_RADIUS];
+#pragma omp simd
+      for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+        red[nd] = pd[adr + MAGGI_TYRE_UNLOADED_RADIUS][nd];
+      }
+    }
+    t43 = re * (b[body][3] * u0 + b[body][4] * u1 + b[body][5] * u2_2);
+    t43inv = 1.0 / t43;
+#pragma omp simd
+    for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+      double t43d;
+
+      t43d = red[nd] * (b[body][3] * u0 + b[body][4] * u1 + b[body][5] * u2_2) + re *
+          (bd[body][3][nd] * u0 + b[body][3] * u0d[nd] + (bd[body][4][nd] * u1 + b[body][4] *
+          u1d[nd]) + (bd[body][5][nd] * u2_2 + b[body][5] * u2_2d[nd]));
+      spind[i][nd] = (v0d[nd] * T0 + v0 * T0d[nd] + (v1d[nd] * T1 + v1 * T1d[nd]) + (v2d[nd] * T2 +
+          v2 * T2d[nd]) - spin[i] * t43d) * t43inv;
     }
   }
 }

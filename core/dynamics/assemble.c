@@ -70,15 +70,21 @@ static maggi_status fail_assembly(maggi_data *d, double violation)
                          loop_word(d, loop), d->m->loop[loop].name, violation);
 }
 
-/* round-off of the loop equations, with lengths of the model as the scale */
-static double roundoff(const maggi_data *d)
+/* at least 1 */
+static double largest_length(const maggi_data *d)
 {
   double largest = 1.0;
   int i, k;
 
   for (i = 0; i < d->t.npointdyn; ++i)
     for (k = 0; k < 3; ++k) largest = fmax(largest, fabs(d->r[i][k]));
-  return 4.0 * DBL_EPSILON * largest;
+  return largest;
+}
+
+/* round-off of the loop equations, with lengths of the model as the scale */
+static double roundoff(const maggi_data *d)
+{
+  return 4.0 * DBL_EPSILON * largest_length(d);
 }
 
 /* Newton from the present position; the loops are open by *violation after it.  Equations that are
@@ -431,6 +437,36 @@ static maggi_status place(maggi_data *d)
   return status;
 }
 
+/* Wheels roll: velocities of their coordinates from those of all others.  The centre of a wheel is on the
+ * axis on which it turns, so that the velocity at its contact is that of the carrier. */
+static maggi_status roll(maggi_data *d)
+{
+  const maggi_topo *t = &d->t;
+  double v[3], w[3];
+  int i, k, q;
+
+  maggi_evaluate(d, 0.0);
+  maggi_rolling(t, d->p, (void *)d->spline0, (void *)d->A, (void *)d->b, (void *)d->r, (void *)d->Z,
+                d->spin);
+  for (i = 0; i < t->nwheel; ++i) {
+    q = t->qid[t->wheelbody[i]];
+    for (k = 0; k < 3; ++k) w[k] = d->b[t->wheelbody[i]][k + 3];
+    maggi_cross(w, d->r[t->wheelpoint[i]], v);
+    for (k = 0; k < 3; ++k) v[k] += d->b[t->wheelbody[i]][k];
+    if (!(maggi_dot(v, v) < 1e-20 * largest_length(d) * largest_length(d)))
+      return maggi_data_fail(
+          d, MAGGI_E_ASSEMBLY,
+          "\"%s\" cannot start rolling: the centre of a wheel on it is not on its "
+          "axis",
+          coordinate_name(d, q));
+    if (!isfinite(d->spin[i]))
+      return maggi_data_fail(d, MAGGI_E_ASSEMBLY, "\"%s\" cannot start rolling",
+                             coordinate_name(d, q));
+    d->vcol[t->col[q]] = d->spin[i];
+  }
+  return MAGGI_OK;
+}
+
 maggi_status maggi_data_reset(maggi_data *d)
 {
   const maggi_model *m = d->m;
@@ -441,6 +477,8 @@ maggi_status maggi_data_reset(maggi_data *d)
   if (status == MAGGI_OK) status = (d->equilibrium ? place_at_equilibrium : place)(d);
   if (status != MAGGI_OK) return status;
   for (i = 0; i < d->t.nind; ++i) d->vcol[i] = d->p[m->initial_velocity[d->t.colq[i]]];
+  if (m->rolling) status = roll(d);
+  if (status != MAGGI_OK) return status;
   status = complete(d, 0.0);
   memcpy(d->v0, d->v, (size_t)d->t.nq * sizeof(double));
   if (status == MAGGI_OK) status = check_velocities(d);

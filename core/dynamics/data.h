@@ -72,6 +72,7 @@
   X(vcol, nqblock, "velocities of columns")                                                        \
   X(acol, nqblock, "accelerations of columns")                                                     \
   X(fr, nqblock, "reduced forces")                                                                 \
+  X(spin, nwheel, "rates of coordinates at which wheels roll freely")                              \
   X(dinv, nq, "inverse pivots of the reduced mass matrix")                                         \
   X(drive, nq, "torques and forces of guides by columns")                                          \
   X(space, nq16, "work space of solves")                                                           \
@@ -124,8 +125,9 @@ static inline int maggi_is_independent(const maggi_topo *t, int q)
   return t->col[q] >= 0 && t->col[q] < t->nind;
 }
 
-/* what has been computed of a state besides its evaluation: nothing; by maggi_balance; all results */
-enum { MAGGI_STALE, MAGGI_BALANCED, MAGGI_FRESH };
+/* what has been computed of a state besides its evaluation: nothing; accelerations of bodies; by maggi_balance;
+ * all results */
+enum { MAGGI_STALE, MAGGI_MOVED, MAGGI_BALANCED, MAGGI_FRESH };
 
 /* a point of the integration: positions, velocities, accelerations of coordinates, states of filters and
  * their rates in the lists above */

@@ -145,9 +145,8 @@ int maggi_is_singular(const maggi_data *d)
   return !(MAGGI_RE(d->stage_ratio) > 6e-4);
 }
 
-/* Accelerations of bodies as they are, and the forces that go with them: inertia, elements, rods and
- * loops are in balance but for the drives of guided coordinates. */
-void maggi_balance(maggi_data *d)
+/* accelerations of bodies as they are */
+static void find_accelerations(maggi_data *d)
 {
   const maggi_topo *t = &d->t;
 
@@ -155,6 +154,17 @@ void maggi_balance(maggi_data *d)
   maggi_accelerations(t, ARRAY(d->b), ARRAY(d->Z0), d->a, d->Wa, d->Za);
   maggi_point_accelerations(t, 0, t->npointdyn, ARRAY(d->r), ARRAY(d->rv), ARRAY(d->Z),
                             ARRAY(d->Za), d->ra);
+  d->fresh = MAGGI_MOVED;
+}
+
+/* Accelerations of bodies, and the forces that go with them: inertia, elements, rods and loops are in
+ * balance but for the drives of guided coordinates. */
+void maggi_balance(maggi_data *d)
+{
+  const maggi_topo *t = &d->t;
+
+  if (d->fresh >= MAGGI_BALANCED) return;
+  find_accelerations(d);
   maggi_inertia_forces(t, ARRAY(d->I), ARRAY(d->Z), ARRAY(d->Za), d->Fr);
   maggi_rod_forces(t, d->p, ARRAY(d->r), ARRAY(d->ra), d->Fr);
   maggi_accumulate(t, ARRAY(d->Fr), ARRAY(d->Q), d->FSr);
@@ -168,28 +178,48 @@ void maggi_balance(maggi_data *d)
   d->fresh = MAGGI_BALANCED;
 }
 
-void maggi_results(maggi_data *d)
+static void sense(maggi_data *d)
 {
   const maggi_topo *t = &d->t;
 
-  if (d->fresh == MAGGI_FRESH) return;
-  maggi_balance(d);
   maggi_points(t, t->npointdyn, t->npoint, ARRAY(d->point0), ARRAY(d->A), ARRAY(d->x), d->r);
   maggi_point_velocities(t, t->npointdyn, t->npoint, ARRAY(d->r), ARRAY(d->Z), d->rv);
   maggi_point_accelerations(t, t->npointdyn, t->npoint, ARRAY(d->r), ARRAY(d->rv), ARRAY(d->Z),
                             ARRAY(d->Za), d->ra);
-  maggi_reactions(t, ARRAY(d->x), ARRAY(d->FSr), d->wrench);
   maggi_sensors(t, d->p, d->origin, d->spring0, d->q, d->v, ARRAY(d->A), ARRAY(d->x), ARRAY(d->r),
                 ARRAY(d->Z), ARRAY(d->rv), ARRAY(d->Za), ARRAY(d->ra), d->lambda, ARRAY(d->slip),
                 ARRAY(d->grip), d->sensor);
-  maggi_filter_outputs(t, d->p, d->y, d->weighted);
+}
+
+void maggi_results(maggi_data *d)
+{
+  if (d->fresh == MAGGI_FRESH) return;
+  maggi_balance(d);
+  maggi_reactions(&d->t, ARRAY(d->x), ARRAY(d->FSr), d->wrench);
+  sense(d);
+  maggi_filter_outputs(&d->t, d->p, d->y, d->weighted);
   d->fresh = MAGGI_FRESH;
 }
 
+static int filters_need_multipliers(const maggi_topo *t)
+{
+  int i;
+
+  for (i = 0; i < t->nfilter; ++i)
+    if (t->sensorneed[t->filtersensor[i]] & MAGGI_NEED_MULTIPLIER) return 1;
+  return 0;
+}
+
+/* without forces, when only sensors that filters do not weight need them */
 void maggi_evaluate_filters(maggi_data *d)
 {
   if (d->t.nstate == 0) return;
-  maggi_results(d);
+  if (filters_need_multipliers(&d->t)) {
+    maggi_results(d);
+  } else if (d->fresh != MAGGI_FRESH) {
+    find_accelerations(d);
+    sense(d);
+  }
   maggi_filter_rates(&d->t, d->p, ARRAY(d->sensor), d->y, d->yrate);
 }
 

@@ -23,8 +23,10 @@ void maggi_get_sensors(maggi_data *d, double *values)
   int i, k;
 
   maggi_results(d);
-  for (i = 0; i < d->t.nsensor; ++i)
-    for (k = 0; k < 3; ++k) values[3 * i + k] = d->sensor[i][k];
+  for (i = 0; i < d->m->ncolumn; ++i) {
+    k = d->m->sensorplace[i];
+    values[i] = d->sensor[k / 3][k % 3];
+  }
 }
 
 void maggi_get_filters(maggi_data *d, double *values)

@@ -131,6 +131,14 @@ void maggi_composite_inertias(const maggi_topo *t, const double p[t->np],
 void maggi_accumulate(const maggi_topo *t, const double F[t->nbody + 1][6],
                       const double Q[t->nbody + 1][6], double FS[t->nbody + 1][6]);
 
+/* vehicle.c: what a sensor on a vehicle sees */
+void maggi_level(const double A[9], const double u[3], double s[3]);
+void maggi_in_body(const double A[9], const double u[3], double s[3]);
+void maggi_lateral_acceleration(double low_speed, double low, const double v[3], const double a[3],
+                                double s[3]);
+void maggi_sideslip(double low, const double A[9], const double v[3], const double a[3],
+                    double s[3]);
+
 /* spring.c: laws of springs and dampers */
 void maggi_spring(int adr, int preload, int withslopes, int np, const double p[np], double l0,
                   const double ra[3], const double rb[3], const double va[3], const double vb[3],
@@ -148,6 +156,11 @@ void maggi_wheel_forces(const maggi_topo *t, const double p[t->np],
                         const double Z[t->nbody + 1][6], const double r[t->npoint][3],
                         const double rv[t->npoint][3], double slip[t->nwheel][MAGGI_SLIP_NUMBERS],
                         double f[t->nwheel][6], double F[t->nwheel][6]);
+
+void maggi_rolling(const maggi_topo *t, const double p[t->np], const double spline0[t->nspline][3],
+                   const double A[t->nbody + 1][9], const double b[t->nbody][6],
+                   const double r[t->npoint][3], const double Z[t->nbody + 1][6],
+                   double spin[t->nwheel]);
 
 /* element.c: springs, dampers, loads, wheels; Q on bodies, tau on coordinates, power of what dissipates or
  * feeds energy */

@@ -1,5 +1,5 @@
-/* Sensors, three numbers each: motion of body points in global axes, rotation of bodies, springs,
- * rods and wheels. */
+/* Sensors, three numbers each: motion of body points in global axes and in those of a vehicle, rotation
+ * of bodies, springs, rods, wheels, and sums of others. */
 #include "kernel.h"
 #include "maggi/maggi.h"
 
@@ -96,7 +96,8 @@ void maggi_sensors(const maggi_topo *t, const double p[t->np], const double orig
                    const double grip[t->nwheel][6], double s[t->nsensor][3])
 {
   int i, j, k, n, a, b;
-  double u[3], z[2], f[2], torque[1];
+  double sum;
+  double g[3], u[3], z[2], f[2], torque[1];
 
   for (i = 0; i < t->nsensor; ++i) {
     j = t->sensorbody[i];
@@ -114,6 +115,27 @@ void maggi_sensors(const maggi_topo *t, const double p[t->np], const double orig
       s[i][0] = ra[k][0] + p[0];
       s[i][1] = ra[k][1] + p[1];
       s[i][2] = ra[k][2] + p[2];
+    } else if (t->sensorkind[i] == MAGGI_SENSOR_LATERAL_ACCELERATION) {
+      for (a = 0; a < 3; ++a) g[a] = ra[k][a] + p[a];
+      maggi_lateral_acceleration(p[t->sensoradr[i]], p[t->sensoradr[i] + 1], rv[k], g, s[i]);
+    } else if (t->sensorkind[i] == MAGGI_SENSOR_SIDESLIP) {
+      for (a = 0; a < 3; ++a) g[a] = ra[k][a] + p[a];
+      maggi_sideslip(p[t->sensoradr[i]], A[j], rv[k], g, s[i]);
+    } else if (t->sensorkind[i] == MAGGI_SENSOR_LEVEL_VELOCITY) {
+      maggi_level(A[j], rv[k], s[i]);
+    } else if (t->sensorkind[i] == MAGGI_SENSOR_LEVEL_ACCELERATION) {
+      for (a = 0; a < 3; ++a) g[a] = ra[k][a] + p[a];
+      maggi_level(A[j], g, s[i]);
+    } else if (t->sensorkind[i] == MAGGI_SENSOR_BODY_ACCELERATION) {
+      for (a = 0; a < 3; ++a) g[a] = ra[k][a] + p[a];
+      maggi_in_body(A[j], g, s[i]);
+    } else if (t->sensorkind[i] == MAGGI_SENSOR_COMBINATION) {
+      sum = 0.0;
+      for (a = 0; a < t->sensorterms[i]; ++a)
+        sum += p[t->sensoradr[i] + a] * s[t->termsensor[n + a]][t->termcolumn[n + a]];
+      s[i][0] = sum;
+      s[i][1] = 0.0;
+      s[i][2] = 0.0;
     } else if (t->sensorkind[i] == MAGGI_SENSOR_ANGLES) {
       angles(A[j], s[i]);
     } else if (t->sensorkind[i] == MAGGI_SENSOR_ANGLE_RATES) {

@@ -74,6 +74,9 @@ enum {
   MAGGI_SLIP_NUMBERS
 };
 
+/* what sensors are made of: accelerations, multipliers of loops */
+enum { MAGGI_NEED_ACCELERATION = 1, MAGGI_NEED_MULTIPLIER = 2 };
+
 #define MAGGI_TOPO_SIZES(X)                                                                        \
   X(nbody, "expanded bodies without the ground")                                                   \
   X(nq, "coordinates")                                                                             \
@@ -105,6 +108,7 @@ enum {
   X(nguide, "guided coordinates")                                                                  \
   X(nbase, "prismatic joints that carry the whole model")                                          \
   X(nsensor, "sensors")                                                                            \
+  X(nterm, "terms of sensors that are sums of others")                                             \
   X(nfilter, "filters")                                                                            \
   X(nstate, "states of filters")
 
@@ -203,7 +207,13 @@ enum {
   X(sensorkind, nsensor, "maggi_sensor_type")                                                      \
   X(sensorbody, nsensor, "body")                                                                   \
   X(sensorpoint, nsensor, "point")                                                                 \
-  X(sensorelement, nsensor, "spring, spring on coordinates, wheel, or building block of a rod")    \
+  X(sensorelement, nsensor,                                                                        \
+    "spring, spring on coordinates, wheel, building block of a rod, or first term")                \
+  X(sensoradr, nsensor, "address of its numbers, or of the weights of a sum")                      \
+  X(sensorterms, nsensor, "number of terms")                                                       \
+  X(sensorneed, nsensor, "MAGGI_NEED_.., besides positions and velocities")                        \
+  X(termsensor, nterm, "sensor, before the sum")                                                   \
+  X(termcolumn, nterm, "which of its numbers")                                                     \
   X(filtersensor, nfilter, "sensor")                                                               \
   X(filtercolumn, nfilter, "its column: 0, 1, 2")                                                  \
   X(filterstate, nfilter, "first state")                                                           \

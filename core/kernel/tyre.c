@@ -153,6 +153,26 @@ static void wrench(const double f[6], const double c[3], const double arm[3], co
   }
 }
 
+/* the unit axis u of wheel i, and where it meets its road */
+static void stand(const maggi_topo *t, int i, const double p[t->np],
+                  const double spline0[t->nspline][3], const double A[t->nbody + 1][9],
+                  const double r[t->npoint][3], double u[3], double arm[3], double T[3],
+                  double L[3], double N[3], double z[4])
+{
+  int k, road;
+  double n;
+  double axis[3], ua[3], g[3];
+
+  road = t->wheelroad[i];
+  for (k = 0; k < 3; ++k) axis[k] = p[t->wheelaxis[i] + k];
+  maggi_mul(A[t->wheelbody[i]], axis, ua);
+  n = sqrt(maggi_dot(ua, ua));
+  for (k = 0; k < 3; ++k) u[k] = ua[k] / n;
+  for (k = 0; k < 3; ++k) g[k] = r[t->wheelpoint[i]][k] - r[t->roadpoint[road]][k];
+  contact(t->roadkind[road], t->roadadr[road], t->roadn[road], t->roadspline[road], t->np, p,
+          t->nspline, spline0, u, g, arm, T, L, N, z);
+}
+
 /* slip: MAGGI_SLIP_..; f: Fx Fy Fz, Mx My Mz at the contact point, in its axes; F: the same at P */
 void maggi_wheel_forces(const maggi_topo *t, const double p[t->np],
                         const double spline0[t->nspline][3], const double A[t->nbody + 1][9],
@@ -160,24 +180,42 @@ void maggi_wheel_forces(const maggi_topo *t, const double p[t->np],
                         const double rv[t->npoint][3], double slip[t->nwheel][MAGGI_SLIP_NUMBERS],
                         double f[t->nwheel][6], double F[t->nwheel][6])
 {
-  int i, k, a, road, point;
-  double n, side;
-  double axis[3], ua[3], u[3], g[3], arm[3], T[3], L[3], N[3], z[4];
+  int i;
+  double u[3], arm[3], T[3], L[3], N[3], z[4];
 
   for (i = 0; i < t->nwheel; ++i) {
-    a = t->wheelbody[i];
-    road = t->wheelroad[i];
-    point = t->wheelpoint[i];
-    side = t->wheelmirror[i] ? -1.0 : 1.0;
-    for (k = 0; k < 3; ++k) axis[k] = p[t->wheelaxis[i] + k];
-    maggi_mul(A[a], axis, ua);
-    n = sqrt(maggi_dot(ua, ua));
-    for (k = 0; k < 3; ++k) u[k] = ua[k] / n;
-    for (k = 0; k < 3; ++k) g[k] = r[point][k] - r[t->roadpoint[road]][k];
-    contact(t->roadkind[road], t->roadadr[road], t->roadn[road], t->roadspline[road], t->np, p,
-            t->nspline, spline0, u, g, arm, T, L, N, z);
-    wheel(t->tyreadr[t->wheeltyre[i]], side, t->wheelgrip[i], t->np, p, u, Z[a],
-          Z[t->wheelcarrier[i]], rv[point], arm, T, L, N, z, slip[i], f[i]);
-    wrench(f[i], r[point], arm, T, L, N, F[i]);
+    stand(t, i, p, spline0, A, r, u, arm, T, L, N, z);
+    wheel(t->tyreadr[t->wheeltyre[i]], t->wheelmirror[i] ? -1.0 : 1.0, t->wheelgrip[i], t->np, p, u,
+          Z[t->wheelbody[i]], Z[t->wheelcarrier[i]], rv[t->wheelpoint[i]], arm, T, L, N, z, slip[i],
+          f[i]);
+    wrench(f[i], r[t->wheelpoint[i]], arm, T, L, N, F[i]);
+  }
+}
+
+/* Rates of the coordinates on which wheels turn at which they roll freely, kappa = 0: with V the velocity of
+ * the contact point on the carrier and w the velocity of the wheel by its coordinate
+ *   v = V.t / (Re w.u) */
+void maggi_rolling(const maggi_topo *t, const double p[t->np], const double spline0[t->nspline][3],
+                   const double A[t->nbody + 1][9], const double b[t->nbody][6],
+                   const double r[t->npoint][3], const double Z[t->nbody + 1][6],
+                   double spin[t->nwheel])
+{
+  int i, k, adr, body, carrier;
+  double fz, rhov;
+  double u[3], arm[3], T[3], L[3], N[3], z[4], c[3], w[3], v[3], wr[3];
+
+  for (i = 0; i < t->nwheel; ++i) {
+    adr = t->tyreadr[t->wheeltyre[i]];
+    body = t->wheelbody[i];
+    carrier = t->wheelcarrier[i];
+    stand(t, i, p, spline0, A, r, u, arm, T, L, N, z);
+    for (k = 0; k < 3; ++k) c[k] = r[t->wheelpoint[i]][k] + arm[k];
+    for (k = 0; k < 3; ++k) wr[k] = Z[carrier][k + 3];
+    maggi_cross(wr, c, w);
+    for (k = 0; k < 3; ++k) v[k] = Z[carrier][k] + w[k];
+    rhov = (z[3] * v[0] - maggi_dot(v, N)) / z[2];
+    fz = C(VERTICAL_STIFFNESS) * (C(UNLOADED_RADIUS) - z[0]) + C(VERTICAL_DAMPING) * rhov;
+    spin[i] = maggi_dot(v, T) / (rolling_radius(t->np, p, adr, fz) *
+                                 (b[body][3] * u[0] + b[body][4] * u[1] + b[body][5] * u[2]));
   }
 }

@@ -167,7 +167,7 @@ static int own_sensor(maggi_builder *b, maggi_sensor_def *d)
 {
   OWN(body);
   OWN(element);
-  return 1;
+  return maggi_sensor_own(&b->arena, d);
 }
 
 static int own_filter(maggi_builder *b, maggi_filter_def *d)
@@ -385,6 +385,8 @@ void maggi_function_def_init(maggi_function_def *def)
 void maggi_sensor_def_init(maggi_sensor_def *def)
 {
   memset(def, 0, sizeof *def);
+  def->low_speed = 1e-3;
+  def->low_acceleration = 1e-3;
 }
 
 void maggi_start_def_init(maggi_start_def *def)

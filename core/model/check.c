@@ -329,9 +329,17 @@ maggi_status maggi_check_function(maggi_builder *b, const maggi_function_def *d)
 
 maggi_status maggi_check_sensor(maggi_builder *b, const maggi_sensor_def *d)
 {
+  int i;
+
   REQUIRE((int)d->type >= 0 && d->type < MAGGI_SENSOR_TYPE_COUNT, "sensors", d->name,
           "sensor type %d does not exist", (int)d->type);
   REQUIRE(maggi_all_finite(d->point, 3), "sensors", d->name, "point is not finite");
+  if (d->type != MAGGI_SENSOR_COMBINATION) return MAGGI_OK;
+  REQUIRE(d->nterm >= 1 && d->terms, "sensors", d->name, "terms are missing");
+  for (i = 0; i < d->nterm; ++i)
+    REQUIRE(d->terms[i], "sensors", d->name, "terms: number %d is missing", i + 1);
+  REQUIRE(!d->weights || maggi_all_finite(d->weights, d->nterm), "sensors", d->name,
+          "weights are not finite");
   return MAGGI_OK;
 }
 

@@ -40,6 +40,8 @@ maggi_status maggi_compile_coordinate(maggi_compile *c, const char *section, con
                                       const char *key, const char *coordinate, int *q);
 maggi_status maggi_compile_function(maggi_compile *c, const char *section, const char *name,
                                     const char *function, int *id);
+/* column of a sensor there is so far, -1: none */
+int maggi_compile_column(const maggi_model *m, const char *name);
 int maggi_compile_point(maggi_compile *c, int body, int adr);
 /* Whether an internal coordinate is an angle. */
 int maggi_compile_is_angle(const maggi_compile *c, int q);

@@ -275,11 +275,30 @@ static maggi_status add_wheel(maggi_compile *c, const maggi_wheel_def *d)
   return MAGGI_OK;
 }
 
+static maggi_status name_elements(maggi_compile *c)
+{
+  maggi_model *m = c->m;
+  int i;
+
+  m->springname = maggi_arena_alloc(&m->arena, ((size_t)c->b->nspring + 1) * sizeof(char *));
+  m->wheelname = maggi_arena_alloc(&m->arena, ((size_t)c->b->nwheel + 1) * sizeof(char *));
+  if (!m->springname || !m->wheelname) return MAGGI_E_MEMORY;
+  for (i = 0; i < c->b->nspring; ++i) {
+    m->springname[i] = maggi_arena_text(&m->arena, c->b->spring[i].name);
+    if (!m->springname[i]) return MAGGI_E_MEMORY;
+  }
+  for (i = 0; i < c->b->nwheel; ++i) {
+    m->wheelname[i] = maggi_arena_text(&m->arena, c->b->wheel[i].name);
+    if (!m->wheelname[i]) return MAGGI_E_MEMORY;
+  }
+  return MAGGI_OK;
+}
+
 maggi_status maggi_compile_elements(maggi_compile *c)
 {
   maggi_builder *b = c->b;
   maggi_topo *t = c->t;
-  maggi_status status = MAGGI_OK;
+  maggi_status status = name_elements(c);
   int i;
 
   for (i = 0; i < b->nspring && status == MAGGI_OK; ++i) status = add_spring(c, &b->spring[i]);

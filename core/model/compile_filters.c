@@ -32,15 +32,6 @@ void maggi_filter_def_weighting(maggi_filter_def *def, maggi_weighting_type weig
   def->gain = x[9];
 }
 
-static int find_column(const maggi_compile *c, const char *signal)
-{
-  int i;
-
-  for (i = 0; i < 3 * c->t->nsensor; ++i)
-    if (strcmp(c->m->sensorcolumn[i], signal) == 0) return i;
-  return -1;
-}
-
 /* address of an entry of p that must be positive, -1 if it is infinite */
 static int add_positive(maggi_compile *c, const maggi_filter_def *d, const char *key,
                         const char *unit, double value)
@@ -74,13 +65,13 @@ static maggi_status add_filter(maggi_compile *c, const maggi_filter_def *d, int 
 
   if (!d->signal)
     return maggi_builder_fail(c->b, MAGGI_E_MODEL, "filters.%s: signal is missing", d->name);
-  column = find_column(c, d->signal);
+  column = maggi_compile_column(c->m, d->signal);
   if (column < 0)
     return maggi_builder_fail(c->b, MAGGI_E_MODEL,
                               "filters.%s: signal \"%s\" is no column of a sensor", d->name,
                               d->signal);
-  PUSH(filtersensor, column / 3);
-  PUSH(filtercolumn, column % 3);
+  PUSH(filtersensor, m->sensorplace[column] / 3);
+  PUSH(filtercolumn, m->sensorplace[column] % 3);
   PUSH(filterstate, c->t->nstate);
   add_numbers(c, d);
   c->t->nstate += 4 + (isfinite(d->f4) ? 2 : 0) + (isfinite(d->f5) ? 2 : 0);

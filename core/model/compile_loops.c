@@ -31,6 +31,19 @@ static void push_prim(maggi_compile *c, int kind, int ba, int bb, int pa, int pb
   c->t->nrow += maggi_prim_rows(kind);
 }
 
+static void push_point_plane(maggi_compile *c, const maggi_loop_def *d, int ba, int bb)
+{
+  int pa, pb, db;
+
+  pa = pb = maggi_parameter_add3(c, d->point_a, "m",
+                                 d->has_b ? "loops.%s.point_a" : "loops.%s.point", d->name);
+  if (d->has_b) pb = maggi_parameter_add3(c, d->point_b, "m", "loops.%s.point_b", d->name);
+  db = maggi_parameter_add3(c, d->has_b ? d->axis_b : d->axis_a, "-", "loops.%s.axis", d->name);
+  db = push_direction(c, bb, MAGGI_DIR_PARAMETER, db, -1, 0);
+  pa = maggi_compile_point(c, ba, pa);
+  push_prim(c, MAGGI_PRIM_PLANE, ba, bb, pa, maggi_compile_point(c, bb, pb), db, db, -1);
+}
+
 static void push_loop(maggi_compile *c, const maggi_loop_def *d, int ba, int bb)
 {
   int pa, pb, pta, ptb, aa = -1, ab = -1, da = 0, db = 0, va, vb, wb, k;
@@ -132,7 +145,10 @@ static maggi_status add_loop(maggi_compile *c, const maggi_loop_def *d)
   loop->name = maggi_arena_text(&c->m->arena, d->name);
   loop->kind = maggi_loop_type_name(d->type);
   loop->row = c->t->nrow;
-  push_loop(c, d, ba, bb);
+  if (d->type == MAGGI_LOOP_POINT_PLANE)
+    push_point_plane(c, d, ba, bb);
+  else
+    push_loop(c, d, ba, bb);
   loop->rows = c->t->nrow - loop->row;
   push_path(c, ba, bb);
   ++c->m->nloop;

@@ -1,5 +1,7 @@
-/* Parts of a model that are asked for by what they are: sensors, wheels, roads, functions. */
+/* Parts of a model that are asked for by what they are: sensors, wheels, forces, roads,
+ * functions. */
 #include "compile.h"
+#include "definition.h"
 
 /* a copy of a text that may be missing: false without memory */
 static int own(maggi_compile *c, const char **text)
@@ -16,16 +18,9 @@ static void *room(maggi_compile *c, int n, size_t size)
 
 static int own_sensor(maggi_compile *c, const maggi_sensor_def *from, maggi_sensor_def *to)
 {
-  int k;
-
-  maggi_sensor_def_init(to);
-  to->name = from->name;
-  to->type = from->type;
-  to->body = from->body;
-  to->at_cog = from->at_cog;
-  to->element = from->element;
-  for (k = 0; k < 3; ++k) to->point[k] = from->point[k];
-  return own(c, &to->name) && own(c, &to->body) && own(c, &to->element);
+  *to = *from;
+  return own(c, &to->name) && own(c, &to->body) && own(c, &to->element) &&
+         maggi_sensor_own(&c->m->arena, to);
 }
 
 static int own_wheel(maggi_compile *c, const maggi_wheel_def *from, maggi_wheel_def *to)
@@ -45,6 +40,19 @@ static int own_wheel(maggi_compile *c, const maggi_wheel_def *from, maggi_wheel_
          own(c, &to->road);
 }
 
+static int own_force(maggi_compile *c, const maggi_force_def *from, maggi_force_def *to)
+{
+  maggi_force_def_init(to);
+  to->name = from->name;
+  to->type = from->type;
+  to->body = from->body;
+  to->reaction = from->reaction;
+  to->coordinate = from->coordinate;
+  to->function = from->function;
+  return own(c, &to->name) && own(c, &to->body) && own(c, &to->reaction) &&
+         own(c, &to->coordinate) && own(c, &to->function);
+}
+
 maggi_status maggi_compile_parts(maggi_compile *c)
 {
   const maggi_builder *b = c->b;
@@ -55,9 +63,11 @@ maggi_status maggi_compile_parts(maggi_compile *c)
   m->wheel = room(c, b->nwheel, sizeof *m->wheel);
   m->road = room(c, b->nroad, sizeof *m->road);
   m->function = room(c, b->nfunction, sizeof *m->function);
-  if (!m->sensor || !m->wheel || !m->road || !m->function) return MAGGI_E_MEMORY;
+  m->force = room(c, b->nforce, sizeof *m->force);
+  if (!m->force || !m->sensor || !m->wheel || !m->road || !m->function) return MAGGI_E_MEMORY;
   for (i = 0; i < b->nsensor && owned; ++i) owned = own_sensor(c, &b->sensor[i], &m->sensor[i]);
   for (i = 0; i < b->nwheel && owned; ++i) owned = own_wheel(c, &b->wheel[i], &m->wheel[i]);
+  for (i = 0; i < b->nforce && owned; ++i) owned = own_force(c, &b->force[i], &m->force[i]);
   for (i = 0; i < b->nroad && owned; ++i) {
     m->road[i].type = maggi_road_type_name(b->road[i].type);
     m->road[i].name = b->road[i].name;
@@ -69,6 +79,7 @@ maggi_status maggi_compile_parts(maggi_compile *c)
     owned = own(c, &m->function[i].name);
   }
   m->nwheel = b->nwheel;
+  m->nforce = b->nforce;
   m->nroad = b->nroad;
   m->nfunction = b->nfunction;
   return owned ? MAGGI_OK : MAGGI_E_MEMORY;

@@ -4,7 +4,7 @@
 #include "compile.h"
 
 typedef struct titles {
-  const char *name[3], *unit[3];
+  const char *name[3], *unit[3]; /* NULL: there is no such column */
 } titles;
 
 static const titles columns_of[MAGGI_SENSOR_TYPE_COUNT] = {
@@ -24,9 +24,44 @@ static const titles columns_of[MAGGI_SENSOR_TYPE_COUNT] = {
     [MAGGI_SENSOR_TYRE_MOMENT] = {{"mx", "my", "mz"}, {"N m", "N m", "N m"}},
     [MAGGI_SENSOR_TYRE_CONTACT] = {{"deflection", "loaded_radius", "rolling_radius"},
                                    {"m", "m", "m"}},
-    [MAGGI_SENSOR_TYRE_SLOPE] = {{"dfy_dalpha", "dfx_dkappa", "utilisation"}, {"N/rad", "N", "-"}}};
+    [MAGGI_SENSOR_TYRE_SLOPE] = {{"dfy_dalpha", "dfx_dkappa", "utilisation"}, {"N/rad", "N", "-"}},
+    [MAGGI_SENSOR_LATERAL_ACCELERATION] = {{"exact", "planar", "approximate"},
+                                           {"m/s^2", "m/s^2", "m/s^2"}},
+    [MAGGI_SENSOR_SIDESLIP] = {{"angle", "speed", "curvature"}, {"rad", "m/s", "1/m"}},
+    [MAGGI_SENSOR_LEVEL_VELOCITY] = {{"x", "y", "z"}, {"m/s", "m/s", "m/s"}},
+    [MAGGI_SENSOR_LEVEL_ACCELERATION] = {{"x", "y", "z"}, {"m/s^2", "m/s^2", "m/s^2"}},
+    [MAGGI_SENSOR_BODY_ACCELERATION] = {{"x", "y", "z"}, {"m/s^2", "m/s^2", "m/s^2"}},
+    [MAGGI_SENSOR_COMBINATION] = {{"value"}, {"-"}}};
 
 static const titles columns_of_angle = {{"value", "rate", "torque"}, {"rad", "rad/s", "N m"}};
+
+static int has_point(maggi_sensor_type type)
+{
+  return type <= MAGGI_SENSOR_ACCELERATION ||
+         (type >= MAGGI_SENSOR_LATERAL_ACCELERATION && type <= MAGGI_SENSOR_BODY_ACCELERATION);
+}
+
+static int has_body(maggi_sensor_type type)
+{
+  return has_point(type) || type < MAGGI_SENSOR_SPRING;
+}
+
+static int need_of(maggi_sensor_type type)
+{
+  switch (type) {
+  case MAGGI_SENSOR_ACCELERATION:
+  case MAGGI_SENSOR_ANGULAR_ACCELERATION:
+  case MAGGI_SENSOR_LATERAL_ACCELERATION:
+  case MAGGI_SENSOR_SIDESLIP:
+  case MAGGI_SENSOR_LEVEL_ACCELERATION:
+  case MAGGI_SENSOR_BODY_ACCELERATION:
+    return MAGGI_NEED_ACCELERATION;
+  case MAGGI_SENSOR_ROD:
+    return MAGGI_NEED_MULTIPLIER;
+  default:
+    return 0;
+  }
+}
 
 /* number of the element of a list with the name */
 #define FIND(list, n, element)                                                                     \
@@ -91,29 +126,124 @@ static maggi_status add_point(maggi_compile *c, const maggi_sensor_def *d, int b
   return MAGGI_OK;
 }
 
-static maggi_status add_sensor(maggi_compile *c, const maggi_sensor_def *d, const titles **columns)
+/* ---------------------------------------------------------------------------------- combinations */
+
+int maggi_compile_column(const maggi_model *m, const char *name)
+{
+  int i;
+
+  for (i = 0; i < m->ncolumn; ++i)
+    if (strcmp(m->sensorcolumn[i], name) == 0) return i;
+  return -1;
+}
+
+/* that of the weight of a term; NULL without memory */
+static const char *unit_of_weight(maggi_arena *arena, const char *sum, const char *term)
+{
+  if (strcmp(sum, term) == 0) return "-";
+  if (strcmp(term, "-") == 0) return sum;
+  return maggi_arena_format(arena, strpbrk(term, " /") ? "%s/(%s)" : "%s/%s",
+                            strcmp(sum, "-") == 0 ? "1" : sum, term);
+}
+
+static maggi_status add_weights(maggi_compile *c, const maggi_sensor_def *d, const char *sum,
+                                int *adr)
+{
+  const char *unit;
+  int i, at, column;
+
+  for (i = 0; i < d->nterm; ++i) {
+    column = maggi_compile_column(c->m, d->terms[i]);
+    unit = unit_of_weight(&c->m->arena, sum, c->m->sensorunit[column]);
+    if (!unit || c->no_memory) return MAGGI_E_MEMORY;
+    at = maggi_parameter_add(c, d->weights ? d->weights[i] : 1.0, unit, MAGGI_BOUND_NONE,
+                             "sensors.%s.weights.%d", d->name, i + 1);
+    if (i == 0) *adr = at;
+  }
+  return MAGGI_OK;
+}
+
+static maggi_status add_combination(maggi_compile *c, const maggi_sensor_def *d, titles *columns,
+                                    int *adr, int *need)
+{
+  maggi_model *m = c->m;
+  const char *unit = NULL;
+  int i, column, place;
+
+  for (i = 0; i < d->nterm; ++i) {
+    column = maggi_compile_column(m, d->terms[i]);
+    if (column < 0)
+      return maggi_builder_fail(c->b, MAGGI_E_MODEL,
+                                "sensors.%s: terms: \"%s\" is no column of a sensor before it",
+                                d->name, d->terms[i]);
+    unit = !unit || strcmp(unit, m->sensorunit[column]) == 0 ? m->sensorunit[column] : "-";
+    place = m->sensorplace[column];
+    PUSH(termsensor, place / 3);
+    PUSH(termcolumn, place % 3);
+    if (c->no_memory) return MAGGI_E_MEMORY;
+    *need |= c->sensorneed.v[place / 3];
+  }
+  if (d->unit) unit = maggi_arena_text(&m->arena, d->unit);
+  if (!unit) return MAGGI_E_MEMORY;
+  columns->unit[0] = unit;
+  return add_weights(c, d, unit, adr);
+}
+
+/* ---------------------------------------------------------------------------------------- sensors */
+
+static void add_numbers(maggi_compile *c, const maggi_sensor_def *d, int *adr)
+{
+  if (d->type == MAGGI_SENSOR_LATERAL_ACCELERATION || d->type == MAGGI_SENSOR_SIDESLIP)
+    *adr = maggi_parameter_add(c, d->low_speed, "m/s", MAGGI_BOUND_POSITIVE, "sensors.%s.low_speed",
+                               d->name);
+  if (d->type == MAGGI_SENSOR_LATERAL_ACCELERATION)
+    maggi_parameter_add(c, d->low_acceleration, "m/s^2", MAGGI_BOUND_POSITIVE,
+                        "sensors.%s.low_acceleration", d->name);
+}
+
+static maggi_status add_sensor(maggi_compile *c, const maggi_sensor_def *d, titles *columns)
 {
   maggi_status status;
-  int body = c->t->nbody, point = -1, element = -1;
+  int body = c->t->nbody, point = -1, element = -1, adr = -1, need = need_of(d->type);
 
-  *columns = &columns_of[d->type];
-  if (d->type < MAGGI_SENSOR_SPRING) {
+  *columns = columns_of[d->type];
+  if (has_body(d->type)) {
     status = maggi_compile_link(c, "sensors", d->name, "body", d->body, &body);
-    if (status == MAGGI_OK && d->type <= MAGGI_SENSOR_ACCELERATION) {
+    if (status == MAGGI_OK && has_point(d->type)) {
       point = c->pointbody.n;
       status = add_point(c, d, body);
     }
+    add_numbers(c, d, &adr);
+  } else if (d->type == MAGGI_SENSOR_COMBINATION) {
+    element = c->termsensor.n;
+    status = add_combination(c, d, columns, &adr, &need);
   } else {
     status = find_element(c, d, &element);
   }
   if (status != MAGGI_OK) return status;
   if (d->type == MAGGI_SENSOR_ROD) element = prim_of_rod(c, element);
   if (d->type == MAGGI_SENSOR_JOINT_SPRING && maggi_compile_is_angle(c, c->jspringq.v[element]))
-    *columns = &columns_of_angle;
+    *columns = columns_of_angle;
   PUSH(sensorkind, d->type);
   PUSH(sensorbody, body);
   PUSH(sensorpoint, point);
   PUSH(sensorelement, element);
+  PUSH(sensoradr, adr);
+  PUSH(sensorterms, d->nterm);
+  PUSH(sensorneed, need);
+  return c->no_memory ? MAGGI_E_MEMORY : MAGGI_OK;
+}
+
+static maggi_status add_columns(maggi_model *m, const char *name, int sensor, const titles *columns)
+{
+  int k;
+
+  for (k = 0; k < 3 && columns->name[k]; ++k, ++m->ncolumn) {
+    m->sensorcolumn[m->ncolumn] = maggi_arena_format(&m->arena, "%s.%s", name, columns->name[k]);
+    m->sensorunit[m->ncolumn] = columns->unit[k];
+    m->sensorplace[m->ncolumn] = 3 * sensor + k;
+    if (!m->sensorcolumn[m->ncolumn]) return MAGGI_E_MEMORY;
+  }
   return MAGGI_OK;
 }
 
@@ -122,24 +252,21 @@ maggi_status maggi_compile_sensors(maggi_compile *c)
   maggi_builder *b = c->b;
   maggi_model *m = c->m;
   maggi_status status;
-  const titles *columns;
+  titles columns;
   size_t n = (size_t)b->nsensor * 3 + 1;
-  int i, k;
+  int i;
 
   m->sensorcolumn = maggi_arena_alloc(&m->arena, n * sizeof *m->sensorcolumn);
   m->sensorunit = maggi_arena_alloc(&m->arena, n * sizeof *m->sensorunit);
-  if (!m->sensorcolumn || !m->sensorunit) return MAGGI_E_MEMORY;
+  m->sensorplace = maggi_arena_alloc(&m->arena, n * sizeof *m->sensorplace);
+  if (!m->sensorcolumn || !m->sensorunit || !m->sensorplace) return MAGGI_E_MEMORY;
   for (i = 0; i < b->nsensor; ++i) {
     status = add_sensor(c, &b->sensor[i], &columns);
+    if (status == MAGGI_OK) status = add_columns(m, b->sensor[i].name, i, &columns);
     if (status != MAGGI_OK) return status;
-    for (k = 0; k < 3; ++k) {
-      m->sensorcolumn[3 * i + k] =
-          maggi_arena_format(&m->arena, "%s.%s", b->sensor[i].name, columns->name[k]);
-      m->sensorunit[3 * i + k] = columns->unit[k];
-      if (!m->sensorcolumn[3 * i + k]) return MAGGI_E_MEMORY;
-    }
   }
   c->t->nsensor = b->nsensor;
+  c->t->nterm = c->termsensor.n;
   c->t->npoint = c->pointbody.n;
   return c->no_memory ? MAGGI_E_MEMORY : MAGGI_OK;
 }

@@ -159,6 +159,14 @@ int maggi_objective_own(maggi_arena *arena, maggi_objective_def *d)
          (d->nterm == 0 || !d->weights || own_numbers(arena, &d->weights, d->nterm));
 }
 
+int maggi_sensor_own(maggi_arena *arena, maggi_sensor_def *d)
+{
+  if (d->type != MAGGI_SENSOR_COMBINATION) d->nterm = 0;
+  return (!d->unit || own_text(arena, &d->unit)) &&
+         (d->nterm == 0 || own_texts(arena, &d->terms, d->nterm)) &&
+         (d->nterm == 0 || !d->weights || own_numbers(arena, &d->weights, d->nterm));
+}
+
 int maggi_design_own(maggi_arena *arena, maggi_design_def *d)
 {
   return (!d->unit || own_text(arena, &d->unit)) && own_texts(arena, &d->paths, d->number) &&

@@ -12,6 +12,7 @@ maggi_status maggi_design_wrong(const maggi_design_def *d, char *text, size_t n)
 /* Replaces all that it points to by copies, but for the name; 0 without memory. */
 int maggi_objective_own(maggi_arena *arena, maggi_objective_def *d);
 int maggi_design_own(maggi_arena *arena, maggi_design_def *d);
+int maggi_sensor_own(maggi_arena *arena, maggi_sensor_def *d);
 
 /* The one declared in a model, NULL if there is none. */
 const maggi_objective_def *maggi_model_find_objective(const maggi_model *m, const char *name);

@@ -15,7 +15,7 @@ void maggi_model_get_info(const maggi_model *m, maggi_model_info *info)
   info->loop_equations = m->topo.nrow;
   info->parameters = m->nparameter;
   info->sensors = m->topo.nsensor;
-  info->sensor_columns = 3 * m->topo.nsensor;
+  info->sensor_columns = m->ncolumn;
   info->filters = m->topo.nfilter;
   info->filter_states = m->topo.nstate;
   info->simulation = m->simulation;
@@ -57,6 +57,16 @@ int maggi_coordinate_is_angle(const maggi_model *m, int coordinate)
   return in(coordinate, m->ncoordinate) && m->coordinate[coordinate].is_angle;
 }
 
+const char *maggi_spring_name(const maggi_model *m, int spring)
+{
+  return in(spring, m->topo.nspring) ? m->springname[spring] : NULL;
+}
+
+const char *maggi_wheel_name(const maggi_model *m, int wheel)
+{
+  return in(wheel, m->topo.nwheel) ? m->wheelname[wheel] : NULL;
+}
+
 const char *maggi_loop_name(const maggi_model *m, int loop)
 {
   return in(loop, m->nloop) ? m->loop[loop].name : NULL;
@@ -74,12 +84,12 @@ int maggi_loop_rows(const maggi_model *m, int loop)
 
 const char *maggi_sensor_column_name(const maggi_model *m, int column)
 {
-  return in(column, 3 * m->topo.nsensor) ? m->sensorcolumn[column] : NULL;
+  return in(column, m->ncolumn) ? m->sensorcolumn[column] : NULL;
 }
 
 const char *maggi_sensor_column_unit(const maggi_model *m, int column)
 {
-  return in(column, 3 * m->topo.nsensor) ? m->sensorunit[column] : NULL;
+  return in(column, m->ncolumn) ? m->sensorunit[column] : NULL;
 }
 
 const char *maggi_coordinate_motion(const maggi_model *m, int coordinate)
@@ -104,14 +114,19 @@ const char *maggi_model_function(const maggi_model *m, int index, const char **t
   return kind_of(m->function, m->nfunction, index, type);
 }
 
-const maggi_sensor_def *maggi_model_sensor(const maggi_model *m, int index)
+const maggi_sensor_def *maggi_model_sensor(const maggi_model *m, int column)
 {
-  return in(index, m->topo.nsensor) ? &m->sensor[index] : NULL;
+  return in(column, m->ncolumn) ? &m->sensor[m->sensorplace[column] / 3] : NULL;
 }
 
 const maggi_wheel_def *maggi_model_wheel(const maggi_model *m, int index)
 {
   return in(index, m->nwheel) ? &m->wheel[index] : NULL;
+}
+
+const maggi_force_def *maggi_model_force(const maggi_model *m, int index)
+{
+  return in(index, m->nforce) ? &m->force[index] : NULL;
 }
 
 const maggi_objective_def *maggi_model_objective_def(const maggi_model *m, int index)

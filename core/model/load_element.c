@@ -63,6 +63,9 @@ maggi_status maggi_load_loop(const load_build *b, const load_loop *loop)
   if (status) return status;
   if (type == MAGGI_LOOP_SPHERICAL && any_axis)
     return maggi_load_fail_at(b, "", "type %s has no axis", loop->type);
+  if (type == MAGGI_LOOP_POINT_PLANE && (loop->axis_a || loop->axis_b))
+    return maggi_load_fail_at(b, "", "type %s has one \"axis\", the normal of the plane",
+                              loop->type);
   if (type == MAGGI_LOOP_UNIVERSAL && loop->axis)
     return maggi_load_fail_at(b, "", "type %s has \"axis_a\" and \"axis_b\"", loop->type);
   status = check_sides(b, "point", loop->point, loop->point_a, loop->point_b);
@@ -252,25 +255,38 @@ maggi_status maggi_load_function(const load_build *b, const load_function *f)
 
 maggi_status maggi_load_sensor(const load_build *b, const load_sensor *sensor)
 {
-  /* body, point, element */
-  static const char *const rules[MAGGI_SENSOR_TYPE_COUNT] = {[MAGGI_SENSOR_POSITION] = "ro",
-                                                             [MAGGI_SENSOR_VELOCITY] = "ro",
-                                                             [MAGGI_SENSOR_ACCELERATION] = "ro",
-                                                             [MAGGI_SENSOR_ANGLES] = "r",
-                                                             [MAGGI_SENSOR_ANGLE_RATES] = "r",
-                                                             [MAGGI_SENSOR_ANGULAR_VELOCITY] = "r",
-                                                             [MAGGI_SENSOR_ANGULAR_ACCELERATION] =
-                                                                 "r",
-                                                             [MAGGI_SENSOR_SPRING] = "--r",
-                                                             [MAGGI_SENSOR_JOINT_SPRING] = "--r",
-                                                             [MAGGI_SENSOR_ROD] = "--r",
-                                                             [MAGGI_SENSOR_TYRE_SLIP] = "--r",
-                                                             [MAGGI_SENSOR_TYRE_FORCE] = "--r",
-                                                             [MAGGI_SENSOR_TYRE_MOMENT] = "--r",
-                                                             [MAGGI_SENSOR_TYRE_CONTACT] = "--r",
-                                                             [MAGGI_SENSOR_TYRE_SLOPE] = "--r"};
-  const load_key keys[] = {
-      {KEY(sensor, body)}, {KEY(sensor, point)}, {KEY(sensor, element)}, {NULL, 0}};
+  /* body, point, element; low_speed, low_acceleration; terms, weights, unit */
+  static const char *const rules[MAGGI_SENSOR_TYPE_COUNT] = {
+      [MAGGI_SENSOR_POSITION] = "ro",
+      [MAGGI_SENSOR_VELOCITY] = "ro",
+      [MAGGI_SENSOR_ACCELERATION] = "ro",
+      [MAGGI_SENSOR_ANGLES] = "r",
+      [MAGGI_SENSOR_ANGLE_RATES] = "r",
+      [MAGGI_SENSOR_ANGULAR_VELOCITY] = "r",
+      [MAGGI_SENSOR_ANGULAR_ACCELERATION] = "r",
+      [MAGGI_SENSOR_SPRING] = "--r",
+      [MAGGI_SENSOR_JOINT_SPRING] = "--r",
+      [MAGGI_SENSOR_ROD] = "--r",
+      [MAGGI_SENSOR_TYRE_SLIP] = "--r",
+      [MAGGI_SENSOR_TYRE_FORCE] = "--r",
+      [MAGGI_SENSOR_TYRE_MOMENT] = "--r",
+      [MAGGI_SENSOR_TYRE_CONTACT] = "--r",
+      [MAGGI_SENSOR_TYRE_SLOPE] = "--r",
+      [MAGGI_SENSOR_LATERAL_ACCELERATION] = "ro-oo",
+      [MAGGI_SENSOR_SIDESLIP] = "ro-o",
+      [MAGGI_SENSOR_LEVEL_VELOCITY] = "ro",
+      [MAGGI_SENSOR_LEVEL_ACCELERATION] = "ro",
+      [MAGGI_SENSOR_BODY_ACCELERATION] = "ro",
+      [MAGGI_SENSOR_COMBINATION] = "-----roo"};
+  const load_key keys[] = {{KEY(sensor, body)},
+                           {KEY(sensor, point)},
+                           {KEY(sensor, element)},
+                           {KEY(sensor, low_speed)},
+                           {KEY(sensor, low_acceleration)},
+                           {KEY(sensor, terms)},
+                           {KEY(sensor, weights)},
+                           {KEY(sensor, unit)},
+                           {NULL, 0}};
   maggi_sensor_def def;
   int type;
   maggi_status status;
@@ -279,11 +295,20 @@ maggi_status maggi_load_sensor(const load_build *b, const load_sensor *sensor)
   status = maggi_load_word(b, ".type", sensor->type, &sensor_words, &type);
   if (status == MAGGI_OK) status = maggi_load_keys(b, "", sensor->type, rules[type], keys);
   if (status) return status;
+  if (sensor->weights && sensor->weights_count != sensor->terms_count)
+    return maggi_load_fail_at(b, ".weights", "%u weights for %u terms", sensor->weights_count,
+                              sensor->terms_count);
   def.name = sensor->name;
   def.type = (maggi_sensor_type)type;
   def.body = sensor->body;
   def.at_cog = sensor->point == NULL;
   maggi_load_copy3(def.point, sensor->point);
   def.element = sensor->element;
+  if (sensor->low_speed) def.low_speed = *sensor->low_speed;
+  if (sensor->low_acceleration) def.low_acceleration = *sensor->low_acceleration;
+  def.nterm = (int)sensor->terms_count;
+  def.terms = (const char *const *)sensor->terms;
+  def.weights = sensor->weights;
+  def.unit = sensor->unit;
   return maggi_load_added(b, "", maggi_builder_sensor(b->builder, &def));
 }

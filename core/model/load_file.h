@@ -202,6 +202,13 @@ typedef struct load_sensor {
   char *body;
   double *point;
   char *element;
+  double *low_speed;
+  double *low_acceleration;
+  char **terms;
+  unsigned terms_count;
+  double *weights;
+  unsigned weights_count;
+  char *unit;
 } load_sensor;
 
 typedef struct load_filter {

@@ -192,9 +192,17 @@ static const cyaml_schema_field_t function_keys[] = {
 static const cyaml_schema_value_t function = {
     CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, load_function, function_keys)};
 
-static const cyaml_schema_field_t sensor_keys[] = {
-    TEXT(load_sensor, name),      TEXT(load_sensor, type),        OPT_TEXT(load_sensor, body),
-    OPT_VEC3(load_sensor, point), OPT_TEXT(load_sensor, element), CYAML_FIELD_END};
+static const cyaml_schema_field_t sensor_keys[] = {TEXT(load_sensor, name),
+                                                   TEXT(load_sensor, type),
+                                                   OPT_TEXT(load_sensor, body),
+                                                   OPT_VEC3(load_sensor, point),
+                                                   OPT_TEXT(load_sensor, element),
+                                                   OPT_REAL(load_sensor, low_speed),
+                                                   OPT_REAL(load_sensor, low_acceleration),
+                                                   LIST(load_sensor, terms, text, 1, ANY_NUMBER),
+                                                   LIST(load_sensor, weights, real, 1, ANY_NUMBER),
+                                                   OPT_TEXT(load_sensor, unit),
+                                                   CYAML_FIELD_END};
 static const cyaml_schema_value_t sensor = {
     CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, load_sensor, sensor_keys)};
 

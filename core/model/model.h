@@ -76,8 +76,12 @@ struct maggi_model {
   int *position_given;   /* (nq) maggi_initial */
   int *velocity_given;   /* (nq) */
   int *reach;            /* (nq) number of loops whose path holds the coordinate */
+  const char **springname;
+  const char **wheelname;
+  int ncolumn;           /* of sensors */
   const char **sensorcolumn;
   const char **sensorunit;
+  int *sensorplace; /* 3 times the sensor, and which of its numbers */
   const char **filtercolumn;
   const char **filterunit;
   int nsignal;
@@ -93,6 +97,8 @@ struct maggi_model {
   maggi_sensor_def *sensor; /* (topo.nsensor) */
   int nwheel;
   maggi_wheel_def *wheel;
+  int nforce;
+  maggi_force_def *force;
   int nroad;
   maggi_model_kind *road;
   int nfunction;
@@ -108,7 +114,7 @@ typedef enum maggi_signal_kind {
   MAGGI_SIGNAL_POTENTIAL,
   MAGGI_SIGNAL_TOTAL,  /* kinetic + potential energy */
   MAGGI_SIGNAL_WRENCH, /* 6 times the expanded body, and the component */
-  MAGGI_SIGNAL_SENSOR, /* column */
+  MAGGI_SIGNAL_SENSOR, /* 3 times the sensor, and which of its numbers */
   MAGGI_SIGNAL_FILTER  /* its number */
 } maggi_signal_kind;
 

@@ -22,8 +22,8 @@ maggi_signal_place maggi_signal_at(const maggi_model *m, int signal)
   if (i < 6 * m->nbody)
     return (maggi_signal_place){MAGGI_SIGNAL_WRENCH, 6 * m->body[i / 6].body + i % 6};
   i -= 6 * m->nbody;
-  if (i < 3 * m->topo.nsensor) return (maggi_signal_place){MAGGI_SIGNAL_SENSOR, i};
-  return (maggi_signal_place){MAGGI_SIGNAL_FILTER, i - 3 * m->topo.nsensor};
+  if (i < m->ncolumn) return (maggi_signal_place){MAGGI_SIGNAL_SENSOR, m->sensorplace[i]};
+  return (maggi_signal_place){MAGGI_SIGNAL_FILTER, i - m->ncolumn};
 }
 
 static void add(maggi_model *m, const char *name, const char *unit)
@@ -35,7 +35,7 @@ static void add(maggi_model *m, const char *name, const char *unit)
 /* in the order that maggi_signal_at knows */
 maggi_status maggi_compile_signals(maggi_model *m)
 {
-  size_t n = 3 * (size_t)m->ncoordinate + 3 + 6 * (size_t)m->nbody + 3 * (size_t)m->topo.nsensor +
+  size_t n = 3 * (size_t)m->ncoordinate + 3 + 6 * (size_t)m->nbody + (size_t)m->ncolumn +
              (size_t)m->topo.nfilter;
   int i;
 
@@ -49,7 +49,7 @@ maggi_status maggi_compile_signals(maggi_model *m)
   for (i = 0; i < 6 * m->nbody; ++i)
     add(m, maggi_arena_format(&m->arena, "%s.%s", m->body[i / 6].name, wrench[i % 6]),
         i % 6 < 3 ? "N" : "N m");
-  for (i = 0; i < 3 * m->topo.nsensor; ++i) add(m, m->sensorcolumn[i], m->sensorunit[i]);
+  for (i = 0; i < m->ncolumn; ++i) add(m, m->sensorcolumn[i], m->sensorunit[i]);
   for (i = 0; i < m->topo.nfilter; ++i) add(m, m->filtercolumn[i], m->filterunit[i]);
   for (i = 0; i < m->nsignal; ++i)
     if (!m->signalname[i]) return MAGGI_E_MEMORY;

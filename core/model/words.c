@@ -5,8 +5,8 @@
 
 static const char *const joint_words[] = {"revolute", "prismatic", "cylindrical", "universal",
                                           "planar",   "spherical", "free",        "fixed"};
-static const char *const loop_words[] = {"spherical", "revolute", "universal", "cylindrical",
-                                         "prismatic"};
+static const char *const loop_words[] = {"spherical",   "revolute",  "universal",
+                                         "cylindrical", "prismatic", "point_plane"};
 static const char *const force_words[] = {
     "force", "force_body", "torque",           "torque_body",
     "joint", "drag",       "speed_controller", "speed_controller_linear"};
@@ -26,7 +26,13 @@ static const char *const sensor_words[] = {"position",
                                            "tyre_force",
                                            "tyre_moment",
                                            "tyre_contact",
-                                           "tyre_slope"};
+                                           "tyre_slope",
+                                           "lateral_acceleration",
+                                           "sideslip",
+                                           "level_velocity",
+                                           "level_acceleration",
+                                           "body_acceleration",
+                                           "combination"};
 static const char *const road_words[] = {"flat", "sine", "bumps", "profile"};
 static const char *const weighting_words[] = {"Wk", "Wd", "Wf", "Wc", "We", "Wj", "Wb", "Wg"};
 static const char *const objective_words[] = {"integral",

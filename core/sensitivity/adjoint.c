@@ -45,3 +45,12 @@ void maggi_adjoint_constants(maggi_derivative *D)
 {
   reverse_constants(D, &D->adjoint);
 }
+
+void maggi_adjoint_rolling(maggi_derivative *D, const double *v)
+{
+  const maggi_topo *t = &D->d->t;
+  int i;
+
+  for (i = 0; i < t->nwheel; ++i) D->adjoint.spin[i] = v[t->qid[t->wheelbody[i]]];
+  rolling(D, &D->adjoint);
+}

@@ -70,6 +70,7 @@
   X(y, t->nstate)                                                                                  \
   X(yrate, t->nstate)                                                                              \
   X(weighted, t->nfilter)                                                                          \
+  X(spin, t->nwheel)                                                                               \
   X(kinetic, 1)                                                                                    \
   X(potential, 1)
 
@@ -156,12 +157,17 @@ void maggi_strip_constants(maggi_derivative *D);
 void maggi_strip_motion(maggi_derivative *D);
 /* positions of dependent coordinates where loops were closed by them: out of the others, in place */
 void maggi_strip_closure(maggi_derivative *D);
+/* velocities of wheels that start rolling, after maggi_strip_motion with theirs at rest */
+void maggi_strip_rolling(maggi_derivative *D);
 /* adjoint.c: back from adjoints of velocities and accelerations, all others zero; or the parts of it that
  * solve equations, omega_p as in implicit.h */
 void maggi_adjoint_motion(maggi_derivative *D);
 void maggi_adjoint_constants(maggi_derivative *D);
 /* back from the adjoints of all positions to those of the coordinates that are not dependent */
 void maggi_adjoint_closure(maggi_derivative *D);
+/* from adjoints of the velocities of wheels that start rolling, (nq) with those of other coordinates, to where
+ * maggi_adjoint_motion starts */
+void maggi_adjoint_rolling(maggi_derivative *D, const double *v);
 void maggi_adjoint_accelerations(maggi_derivative *D, const maggi_companion *s,
                                  const double *omega_p);
 void maggi_adjoint_rates(maggi_derivative *D, const maggi_companion *s);

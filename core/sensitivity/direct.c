@@ -179,6 +179,20 @@ static maggi_status close_loops(maggi_direct *s)
   return status;
 }
 
+/* velocities of wheels that start rolling by those of the others */
+static maggi_status roll(maggi_direct *s)
+{
+  maggi_status status = maggi_linearise_at(s->D, s->d->time);
+  int first;
+
+  for (first = 0; first < s->n && status == MAGGI_OK; first += W) {
+    maggi_direct_choose(s, first);
+    maggi_strip_motion(s->D);
+    maggi_strip_rolling(s->D);
+  }
+  return status;
+}
+
 maggi_status maggi_direct_reset(maggi_direct *s)
 {
   maggi_data *d = s->d;
@@ -192,6 +206,7 @@ maggi_status maggi_direct_reset(maggi_direct *s)
   if (d->is_kept) status = maggi_evaluate_start(d, 1);
   if (status == MAGGI_OK) status = close_loops(s);
   if (d->is_kept && status == MAGGI_OK) status = maggi_evaluate_start(d, 0);
+  if (d->m->rolling && status == MAGGI_OK) status = roll(s);
   if (status == MAGGI_OK) status = move(s, d->time, 0);
   d->ready = status == MAGGI_OK;
   d->follower = &s->follower;

@@ -215,7 +215,7 @@ maggi_status maggi_equilibrium_find(maggi_equilibrium *e, maggi_data *d)
   maggi_data *x = e->x;
   maggi_status status;
 
-  e->iterations = e->damped = 0;
+  e->is_found = e->iterations = e->damped = 0;
   memcpy(x->p, d->p, (size_t)d->t.np * sizeof(double));
   x->tolerance = 1e-14;
   status = maggi_assemble_guess(x);
@@ -231,7 +231,8 @@ maggi_status maggi_equilibrium_find(maggi_equilibrium *e, maggi_data *d)
   memcpy(d->q, x->q, (size_t)d->t.nq * sizeof(double));
   status = maggi_equilibrium_linearise(e);
   if (status != MAGGI_OK) return maggi_data_fail(d, status, "out of memory");
-  return factor(e) ? MAGGI_OK : fail_free(e, d);
+  e->is_found = factor(e);
+  return e->is_found ? MAGGI_OK : fail_free(e, d);
 }
 
 /* ----------------------------------------------------------------------------------- derivatives */

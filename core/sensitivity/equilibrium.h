@@ -20,6 +20,7 @@ struct maggi_equilibrium {
   double *move, *next; /* (nq) Newton's corrections of independent coordinates */
   double *q;           /* (nq) position before a step */
   double *start;       /* (nq) where the search begins */
+  int is_found;        /* x is in equilibrium, evaluated and linearised there */
   int iterations;      /* of Newton's method */
   int damped;          /* steps of the damped run */
 };

@@ -1,17 +1,10 @@
 /* Signals and what they need. */
 #include "results.h"
 
-static unsigned need_of_sensor(int kind)
+static unsigned need_of_sensor(int need)
 {
-  switch (kind) {
-  case MAGGI_SENSOR_ACCELERATION:
-  case MAGGI_SENSOR_ANGULAR_ACCELERATION:
-    return MAGGI_RESULT_SENSOR | MAGGI_RESULT_ACCELERATION;
-  case MAGGI_SENSOR_ROD:
-    return MAGGI_RESULT_SENSOR | MAGGI_RESULT_FORCE;
-  default:
-    return MAGGI_RESULT_SENSOR;
-  }
+  return MAGGI_RESULT_SENSOR | (need & MAGGI_NEED_ACCELERATION ? MAGGI_RESULT_ACCELERATION : 0u) |
+         (need & MAGGI_NEED_MULTIPLIER ? MAGGI_RESULT_FORCE : 0u);
 }
 
 unsigned maggi_signals_need(const maggi_model *m, int n, const int *signal)
@@ -23,7 +16,7 @@ unsigned maggi_signals_need(const maggi_model *m, int n, const int *signal)
   for (i = 0; i < n; ++i) {
     place = maggi_signal_at(m, signal[i]);
     if (place.kind == MAGGI_SIGNAL_SENSOR)
-      need |= need_of_sensor(m->topo.sensorkind[place.index / 3]);
+      need |= need_of_sensor(m->topo.sensorneed[place.index / 3]);
     else if (place.kind == MAGGI_SIGNAL_FILTER)
       need |= MAGGI_RESULT_FILTER;
     else if (place.kind == MAGGI_SIGNAL_WRENCH)
@@ -40,7 +33,7 @@ unsigned maggi_filters_need(const maggi_model *m)
   int i;
 
   for (i = 0; i < m->topo.nfilter; ++i)
-    need |= MAGGI_RESULT_RATE | need_of_sensor(m->topo.sensorkind[m->topo.filtersensor[i]]);
+    need |= MAGGI_RESULT_RATE | need_of_sensor(m->topo.sensorneed[m->topo.filtersensor[i]]);
   return need;
 }
 

@@ -230,6 +230,19 @@ static void start_lane(maggi_reversal *r, maggi_lane *x)
   }
 }
 
+/* the velocities of wheels that start rolling followed from those of the others */
+static void go_before_rolling(maggi_reversal *r, maggi_lane *x)
+{
+  const maggi_topo *t = &r->d->t;
+  int i;
+
+  maggi_reversal_choose(r, x, r->d->zero, r->d->zero);
+  maggi_adjoint_rolling(r->D, x->u);
+  for (i = 0; i < t->nwheel; ++i) x->u[t->qid[t->wheelbody[i]]] = 0.0;
+  maggi_adjoint_motion(r->D);
+  add_state(r, x);
+}
+
 maggi_status maggi_reversal_finish(maggi_reversal *r, maggi_tape *tape)
 {
   maggi_data *d = r->d;
@@ -239,6 +252,7 @@ maggi_status maggi_reversal_finish(maggi_reversal *r, maggi_tape *tape)
   if (status == MAGGI_OK) status = go_before_changes(r, tape, 0);
   if (status != MAGGI_OK) return status;
   for (i = 0; i < r->n; ++i) {
+    if (d->m->rolling) go_before_rolling(r, &r->lane[i]);
     maggi_reversal_choose(r, &r->lane[i], d->zero, d->zero);
     for (c = 0; c < d->t.nind; ++c) {
       q = d->t.colq[c];

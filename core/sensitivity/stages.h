@@ -57,6 +57,9 @@ STAGE(loop_forces, WITH(prim0), WITH(r), WITH(dir), WITH(lambda), WITH(Fr))
 STAGE(accumulate, WITH(Fr), WITH(Q), WITH(FSr))
 STAGE(generalised_forces, WITH(b), WITH(FSr), WITH(tau), WITH(w))
 
+/* initial velocities */
+STAGE(rolling, WITH(p), WITH(spline0), WITH(A), WITH(b), WITH(r), WITH(Z), WITH(spin))
+
 /* results */
 STAGE(reactions, WITH(x), WITH(FSr), WITH(wrench))
 CALL(sensor_points, points, t->npointdyn, t->npoint, WITH(point0), WITH(A), WITH(x), WITH(r))

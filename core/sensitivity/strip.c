@@ -27,6 +27,17 @@ void maggi_strip_closure(maggi_derivative *D)
   maggi_close_dv(D, -1.0, NULL, s->res, NULL, s->q);
 }
 
+void maggi_strip_rolling(maggi_derivative *D)
+{
+  const maggi_companion *s = &D->strip;
+  const maggi_topo *t = &D->d->t;
+  int i, c;
+
+  rolling(D, s);
+  for (i = 0; i < t->nwheel; ++i)
+    for (c = 0; c < WIDTH; ++c) s->v[t->qid[t->wheelbody[i]] * WIDTH + c] = s->spin[i * WIDTH + c];
+}
+
 void maggi_strip_motion(maggi_derivative *D)
 {
   forward(D, &D->strip);

@@ -90,8 +90,10 @@ void maggi_term_begin(maggi_term *f, const maggi_grid *grid)
   maggi_nodes_init(&f->nodes, grid);
   maggi_window_init(&f->window, &f->nodes, grid, f->from, f->to);
   maggi_slope_begin(&f->slope);
-  memset(f->moment, 0, sizeof f->moment);
-  f->origin = f->reference == MAGGI_REFERENCE_NONE ? f->target : NAN;
+  memset(&f->moments, 0, sizeof f->moments);
+  f->moments.power = power(f->type);
+  f->moments.can_shift = f->reference != MAGGI_REFERENCE_NONE;
+  f->moments.origin = f->moments.can_shift ? NAN : f->target;
   f->at = f->pull = f->sum = 0.0;
   f->top = -INFINITY;
   f->next = 0;
@@ -179,21 +181,6 @@ static void take_node(maggi_term *f, long i, double s)
 
 /* -------------------------------------------------------------------------------------- samples */
 
-/* integrals of (s - origin)^j; with a reference, which is not yet known, of all j up to the power */
-static void add_moments(maggi_term *f, double weight, double s)
-{
-  double x, product = 1.0;
-  int j, n = power(f->type);
-
-  if (isnan(f->origin)) f->origin = s;
-  x = s - f->origin;
-  if (f->type == MAGGI_OBJECTIVE_VIOLATION && x < 0.0) x = 0.0;
-  for (j = 0; j <= n; ++j) {
-    if (j == n || f->reference != MAGGI_REFERENCE_NONE) f->moment[j] += weight * product;
-    product *= x;
-  }
-}
-
 void maggi_term_push(maggi_term *f, long k, double s, double r)
 {
   double x = s - f->target, weight;
@@ -203,7 +190,8 @@ void maggi_term_push(maggi_term *f, long k, double s, double r)
   if (is_extremum(f->type) || has_times(f->type) || end_of(f)) take_node(f, i, s);
   weight = node_weight(f, i);
   if (weight == 0.0) return;
-  if (power(f->type) > 0) add_moments(f, weight, s);
+  if (f->type == MAGGI_OBJECTIVE_VIOLATION) s = s < f->target ? f->target : s;
+  if (power(f->type) > 0) maggi_moments_push(&f->moments, weight, s);
   if (f->type == MAGGI_OBJECTIVE_SLOPE) maggi_slope_push(&f->slope, weight, s, r);
   if (f->type == MAGGI_OBJECTIVE_SMOOTH_MAXIMUM) {
     if (x > f->top) { /* relative to it, so that nothing overflows */
@@ -214,32 +202,15 @@ void maggi_term_push(maggi_term *f, long k, double s, double r)
   }
 }
 
-/* sum of binomial(n, j) (-shift)^(n - j) moment j: the integral of (s - origin - shift)^n */
-static double shifted(const maggi_term *f, int n, double shift)
-{
-  double sum = 0.0, binomial = 1.0, product = 1.0;
-  int j;
-
-  for (j = n; j >= 0; --j) {
-    sum += binomial * product * f->moment[j];
-    product *= -shift;
-    binomial *= (double)j / (n - j + 1);
-  }
-  return sum;
-}
-
 /* the integral, and what it loses when the reference grows */
 static void end_integral(maggi_term *f)
 {
-  int n = power(f->type);
-  double shift = 0.0;
+  maggi_moments *m = &f->moments;
+  int n = m->power;
 
-  if (f->reference != MAGGI_REFERENCE_NONE) {
-    shift = f->at + f->target - f->origin;
-    f->origin += shift;
-  }
-  f->value = shifted(f, n, shift);
-  f->pull = n * shifted(f, n - 1, shift);
+  if (m->can_shift) maggi_moments_shift(m, f->at + f->target);
+  f->value = m->sum[n];
+  f->pull = n * m->sum[n - 1];
   if (!is_root(f->type)) return;
   f->value = n == 2 ? sqrt(f->value) : sqrt(sqrt(f->value));
   f->pull /= n * pow(f->value, n - 1);
@@ -315,9 +286,9 @@ static double times_weight(const maggi_term *f, long i)
 static double integral_weight(const maggi_term *f, long i, double s)
 {
   const maggi_local *end = end_of(f);
-  double x = s - f->origin, by, part = x / f->value;
+  double x = s - f->moments.origin, by, part = x / f->value;
 
-  if (f->type == MAGGI_OBJECTIVE_VIOLATION && x < 0.0) x = 0.0;
+  if (f->type == MAGGI_OBJECTIVE_VIOLATION) x = x < 0.0 ? 0.0 : x;
   switch (f->type) {
   case MAGGI_OBJECTIVE_INTEGRAL:
   case MAGGI_OBJECTIVE_MEAN:

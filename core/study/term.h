@@ -2,10 +2,9 @@
 #ifndef MAGGI_TERM_H
 #define MAGGI_TERM_H
 
+#include "moment.h"
 #include "slope.h"
 #include "window.h"
-
-enum { MAGGI_MOMENTS = 5 };
 
 typedef struct maggi_term {
   maggi_objective_type type; /* no sum */
@@ -21,11 +20,9 @@ typedef struct maggi_term {
   maggi_nodes nodes;
   maggi_window window;
   double recent[MAGGI_STENCIL]; /* the last nodes */
-  double
-      moment[MAGGI_MOMENTS]; /* integrals of powers of s - origin, of which the value needs those */
-  double origin;             /* of s - reference - target */
-  double at;                 /* s at an end of the window: the reference, terminal */
-  double pull;               /* of the reference on the value, per unit */
+  maggi_moments moments;        /* of an integral; their origin: reference + target */
+  double at;                    /* s at an end of the window: the reference, terminal */
+  double pull;                  /* of the reference on the value, per unit */
   double sum;
   double top; /* smooth_maximum: largest sample so far */
   maggi_slope slope;

@@ -1,4 +1,4 @@
-"""Key figures of a vehicle's run: (label, unit, value, time or None)."""
+"""Key figures of a vehicle's run: (label, unit, value, time or None, and where if it is a wheel's)."""
 import numpy
 
 from . import measure
@@ -84,6 +84,7 @@ def extremes(v):
     if "speed" in v.channel:
         for name, which in (("smallest", numpy.nanargmin), ("largest", numpy.nanargmax)):
             out.append((f"Speed, {name}", "m/s", *measure.extreme(v.t, v.get("speed"), which)))
+    add("Drive torque on a wheel, peak", "N m", "torque")
     add("Vertical acceleration, peak", "m/s^2", "az")
     return out
 
@@ -98,7 +99,7 @@ def of_tyres(v):
                 found.append((*measure.extreme(v.t, size(columns[end]), which), name))
         if found:
             value, time, name = (min if which is numpy.nanargmin else max)(found)
-            out.append((f"{label} ({name})", unit, value, time))
+            out.append((label, unit, value, time, name))
 
     worst("Smallest vertical force of a tyre", "N", v.force, "fz", numpy.nanargmin, lambda s: s)
     worst("Largest vertical force of a tyre", "N", v.force, "fz", numpy.nanargmax, lambda s: s)

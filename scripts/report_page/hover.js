@@ -1,6 +1,6 @@
 "use strict";
 (function () {
-  const W = 600, H = 226, LEFT = 66, TOP = 10, FINE = 10;
+  const { WIDTH, LEFT, TOP, W, H, FINE } = SIZE;
   function points(d) { // of a path: [[x, y], ..] with gaps as null
     const out = [];
     for (const part of d.split("M").slice(1)) {
@@ -49,7 +49,7 @@
       outputs.forEach(o => { o.textContent = ""; });
     }
     svg.addEventListener("pointermove", e => {
-      const box = svg.getBoundingClientRect(), zoom = 680 / box.width;
+      const box = svg.getBoundingClientRect(), zoom = WIDTH / box.width;
       show(((e.clientX - box.left) * zoom - LEFT) * FINE, ((e.clientY - box.top) * zoom - TOP) * FINE);
     });
     svg.addEventListener("pointerleave", hide);

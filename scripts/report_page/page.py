@@ -1,8 +1,9 @@
 """The page: sections in their order."""
 import html
+import json
 import os
 
-from . import figures, plots, sheet
+from . import figures, plots, sheet, standstill, svg
 from .svg import pretty
 from .vehicle import Vehicle, is_vehicle
 
@@ -13,6 +14,13 @@ MOST_SIGNALS = 24  # rows of the table of all signals that are shown unfolded
 def beside(name):
     with open(os.path.join(FOLDER, name), encoding="utf-8") as file:
         return file.read()
+
+
+def script():
+    """What reads numbers off the curves."""
+    sizes = {"WIDTH": svg.WIDTH, "LEFT": svg.LEFT, "TOP": svg.TOP, "FINE": svg.FINE,
+             "W": svg.WIDTH - svg.LEFT - svg.RIGHT, "H": svg.HEIGHT - svg.TOP - svg.BOTTOM}
+    return f"const SIZE = {json.dumps(sizes)};\n" + beside("hover.js")
 
 
 def common_columns(runs):
@@ -28,6 +36,10 @@ def section(name, title, body):
         if body else ""
 
 
+def row(cards):
+    return f'<div class="cards">{cards}</div>' if cards else ""
+
+
 def draw(found):
     """A grid of plots, "" when there is none with a number in it."""
     text = "".join(plot.draw() for plot in found)
@@ -41,6 +53,13 @@ def folded(title, body, is_open=False):
 # ------------------------------------------------------------------ key figures
 
 
+def place(time, wheel=None):
+    """When, and at which wheel."""
+    words = ([f"at {sheet.number(time, 4)} s"] if time is not None else []) + \
+        ([html.escape(wheel)] if wheel else [])
+    return f' <small>{", ".join(words)}</small>' if words else ""
+
+
 def vehicle_figures(vehicles):
     """Tables of what each vehicle came to, side by side."""
     each = [dict(figures.of_vehicle(v)) for v in vehicles]
@@ -51,11 +70,10 @@ def vehicle_figures(vehicles):
             cells = []
             for groups in each:
                 row = next((r for r in groups.get(heading, []) if r[0] == label), None)
-                cells.append("–" if row is None else sheet.number(row[2]) + (
-                    "" if row[3] is None else f" <small>at {sheet.number(row[3], 4)} s</small>"))
+                cells.append("–" if row is None else sheet.number(row[2]) + place(*row[3:]))
             rows.append([html.escape(label), html.escape(pretty(unit))] + cells)
         head = ["", "unit"] + [html.escape(v.run.label) if len(vehicles) > 1 else "value" for v in vehicles]
-        text.append(f"<h3>{heading}</h3>" + sheet.table(head, rows, "num"))
+        text.append(sheet.card(heading, sheet.table(head, rows, "num")))
     return "".join(text)
 
 
@@ -66,15 +84,15 @@ def objectives(runs):
     if not names:
         return ""
     if not any(found):
-        return "<h3>Objectives</h3><p class=\"note\">The model declares " + html.escape(", ".join(names)) + \
-            "; maggi simulate --objectives evaluates them.</p>"
+        return sheet.card("Objectives", '<p class="note">The model declares ' + html.escape(", ".join(names)) +
+                          "; maggi simulate --objectives evaluates them.</p>")
     rows = []
     for name in names:
         unit = next((f[name]["unit"] for f in found if name in f), "")
         rows.append([html.escape(name), html.escape(pretty(unit))] +
                     [sheet.number(f[name]["value"], 8) if name in f else "–" for f in found])
     head = ["", "unit"] + [html.escape(run.label) if len(runs) > 1 else "value" for run in runs]
-    return "<h3>Objectives</h3>" + sheet.table(head, rows, "num")
+    return sheet.card("Objectives", sheet.table(head, rows, "num"))
 
 
 def all_signals(runs, columns):
@@ -114,31 +132,27 @@ def build(runs, title, maggi, width):
         shown = ", ".join(rest[:12]) + (f" and {len(rest) - 12} more" if len(rest) > 12 else "")
         notes.append(f"not in all runs, left out of what is drawn together: {shown}")
 
-    model = sheet.model(runs) if any(run.model for run in runs) else ""
-    if vehicles:
-        model += "<h3>Vehicle</h3>" + sheet.vehicle(vehicles)
-    model += extras(runs, maggi)
+    model, cards = "", ""
+    if any(run.model for run in runs):
+        model = sheet.model(runs)
+        cards = sheet.card("Vehicle", sheet.vehicle(vehicles) if vehicles else "")
+        cards += standstill.sections(vehicles, maggi) or sheet.at_start(runs, vehicles)
     used = vehicle_figures(vehicles) if vehicles else ""
     parts = [
         section("how", "How it was run", sheet.how(runs)),
-        section("model", "Model", model),
-        section("manoeuvre", "Manoeuvre", sheet.manoeuvre(runs, vehicles)),
-        section("figures", "Key figures", used + objectives(runs) + all_signals(runs, common)),
+        section("model", "Model", model + row(cards)),
+        section("manoeuvre", "Manoeuvre" if vehicles else "Input", sheet.manoeuvre(runs, vehicles)),
+        section("figures", "Key figures", row(used + objectives(runs)) + all_signals(runs, common)),
     ]
     if vehicles:
         parts.append(section("handling", "Handling", draw(plots.handling(vehicles))))
         parts.append(section("ride", "Path and ride", draw(plots.travel(vehicles, width))))
         parts.append(section("tyres", "Tyres", draw(plots.tyres(vehicles))))
-    parts.append(section("sensors", "Sensors", draw(plots.sensors(runs, common))))
+    parts.append(section("sensors", "Sensors", draw(plots.sensors(runs, common, bool(vehicles)))))
     parts.append(section("balance", "Energy and loops", draw(plots.balance(runs, common))))
     parts.append(section("coordinates", "Coordinates", draw(plots.coordinates(runs, common))))
     parts.append(section("reactions", "Joint reactions", draw(plots.reactions(runs, common))))
     return wrap(title, runs, notes, [p for p in parts if p]), notes
-
-
-def extras(runs, maggi):
-    """Static equilibrium and modes, where the command has them."""
-    return ""
 
 
 def wrap(title, runs, notes, parts):
@@ -147,7 +161,7 @@ def wrap(title, runs, notes, parts):
     dates = ", ".join(dict.fromkeys(run.record["date"][:10] for run in runs if run.record.get("date")))
     versions = ", ".join(dict.fromkeys(run.record["maggi"] for run in runs if run.record.get("maggi")))
     under = [text for text in (dates, f"maggi {versions}" if versions else "",
-                               ", ".join(run.name for run in runs)) if text]
+                               ", ".join(run.name for run in runs if run.kept)) if text]
     said = "".join(f'<p class="note">Note: {html.escape(note)}</p>' for note in notes)
     return (f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">'
             f'<meta name="viewport" content="width=device-width, initial-scale=1">'
@@ -155,4 +169,4 @@ def wrap(title, runs, notes, parts):
             f'<title>{html.escape(title)}</title>\n<style>\n{beside("style.css")}</style></head>\n<body>'
             f'<header><h1>{html.escape(title)}</h1><p class="sub">{html.escape(" · ".join(under))}</p>{said}'
             f'<nav aria-label="Sections">{links}</nav></header>\n<main>\n' + "\n".join(parts) +
-            f'\n</main>\n<script>\n{beside("hover.js")}</script></body></html>\n')
+            f'\n</main>\n<script>\n{script()}</script></body></html>\n')

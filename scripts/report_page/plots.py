@@ -4,7 +4,7 @@ import re
 import numpy
 
 from . import tracks
-from .svg import Curve, Plot, pretty
+from .svg import Curve, Plot
 from .vehicle import G
 
 MOST = 8  # curves of one run in a plot
@@ -94,9 +94,10 @@ def tyres(vehicles):
         lines = wheel_lines(vehicles, "slip", end)
         if lines:
             spread(plots, f"Tyres: {axis}", axis, unit, lines)
-    lines = wheel_lines(vehicles, "moment", "mz")
-    if lines:
-        spread(plots, "Tyres: aligning moment", "aligning moment", "N m", lines)
+    for end, axis in (("mz", "aligning moment"), ("mx", "overturning moment"), ("my", "rolling moment")):
+        lines = wheel_lines(vehicles, "moment", end)
+        if lines:
+            spread(plots, f"Tyres: {axis}", axis, "N m", lines)
     ellipse = []
     for k, wheel in enumerate(vehicles[0].wheels):
         for v in vehicles:
@@ -126,6 +127,7 @@ def travel(vehicles, width):
                           note=tracks.NOTE.format(width=tracks.width_of(vehicles[0], width))
                           if track else ""))
     over_time(plots, vehicles, "Speed", ["speed"])
+    over_time(plots, vehicles, "Drive torque of the speed controller", ["torque"], "torque on a wheel")
     over_time(plots, vehicles, "Vertical position", ["z"])
     over_time(plots, vehicles, "Pitch angle", ["pitch"])
     over_time(plots, vehicles, "Vertical acceleration", ["az"])
@@ -160,13 +162,13 @@ def coordinates(runs, common):
     return plots
 
 
-def sensors(runs, common):
-    """A plot for each type of sensor and column of it, [(title, unit)]."""
+def sensors(runs, common, has_tyres):
+    """A plot for each type of sensor and column of it; tyres may have theirs."""
     plots, groups = [], {}
     for c in common:
-        if runs[0].kind(c) != "sensor":
-            continue
         sensor = runs[0].sensors.get(c, {})
+        if runs[0].kind(c) != "sensor" or has_tyres and sensor.get("type", "").startswith("tyre_"):
+            continue
         kind = sensor.get("type", "sensor").replace("_", " ")
         stem, end = (sensor["sensor"], c[len(sensor["sensor"]) + 1:]) if "sensor" in sensor else \
             (c.rpartition(".")[0], "")
@@ -207,4 +209,4 @@ def reactions(runs, common):
     return plots
 
 
-__all__ = ["handling", "tyres", "travel", "coordinates", "sensors", "balance", "reactions", "pretty"]
+__all__ = ["handling", "tyres", "travel", "coordinates", "sensors", "balance", "reactions"]

@@ -26,7 +26,7 @@ def read_table(name):
             try:
                 rows = numpy.loadtxt(file, delimiter=",", ndmin=2, comments=None)
             except ValueError as error:
-                raise Failure(f"{name}: {explain(error)}") from None
+                raise Failure(name + explain(str(error))) from None
     except UnicodeDecodeError:
         raise Failure(f"{name}: is not text") from None
     except OSError as error:
@@ -45,13 +45,15 @@ def read_table(name):
     return dict(zip(header, rows.T))
 
 
-def explain(error):
-    """The first line of what numpy has to say, with its rows counted as in the file."""
-    text = str(error).splitlines()[0].split(";")[0]
-    changed = re.search(r"columns changed from (\d+) to (\d+) at row (\d+)", text)
-    if changed:
-        return f"row {int(changed[3]) + 1}: {changed[2]} cells instead of {changed[1]}"
-    return re.sub(r"at row (\d+)", lambda found: f"at row {int(found[1]) + 1}", text)
+def explain(text):
+    """What numpy has to say, behind the name of the file: rows as lines of the file."""
+    found = re.search(r"columns changed from (\d+) to (\d+) at row (\d+)", text)
+    if found:
+        return f":{int(found[3]) + 1}: {found[2]} cells under {found[1]} columns"
+    found = re.search(r"convert string (.+) to \S+ at row (\d+)", text)
+    if found:
+        return f":{int(found[2]) + 2}: {found[1]} is not a number"
+    return ": " + text.splitlines()[0]
 
 
 def read_record(name, columns, rows):
@@ -81,6 +83,7 @@ class Run:
         self.table = read_table(name)
         self.t = self.table["t"]
         self.record, self.note = read_record(name, self.table, len(self.t))
+        self.kept = not self.record or self.record["run"].get("out") is not None
         self.model = self.record.get("model", {})
         self.title = self.model.get("model") or os.path.splitext(os.path.basename(name))[0]
         self.label = os.path.splitext(os.path.basename(name))[0]

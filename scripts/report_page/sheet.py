@@ -1,24 +1,24 @@
 """Tables of the page: how it was run, the model, the vehicle, the manoeuvre."""
 import html
-import json
-import subprocess
 
 import numpy
 
 from .svg import pretty
-from .vehicle import G
-
-FACTS = 300  # seconds at most for a command that adds to the sheet
 
 
 def number(value, digits=5):
     if value is None or (isinstance(value, float) and not numpy.isfinite(value)):
         return "–"
-    return f"{value:.{digits}g}".replace("-", "−")
+    return f"{value + 0:.{digits}g}".replace("-", "−")  # + 0: no minus before a zero
 
 
 def cell(value, unit=""):
     return f'{number(value)}{" " + pretty(unit) if unit not in ("", "-") else ""}'
+
+
+def card(title, text):
+    """A part that stands beside others where there is room."""
+    return f"<div><h3>{title}</h3>{text}</div>" if text else ""
 
 
 def table(head, rows, kind=""):
@@ -28,6 +28,9 @@ def table(head, rows, kind=""):
         text.append("<thead><tr>" + "".join(f'<th scope="col">{h}</th>' for h in head) + "</tr></thead>")
     text.append("<tbody>")
     for first, *rest in rows:
+        if kind == "" and len(rest) > 1 and len(set(rest)) == 1:
+            text.append(f'<tr><th scope="row">{first}</th><td colspan="{len(rest)}">{rest[0]}</td></tr>')
+            continue
         text.append(f'<tr><th scope="row">{first}</th>' + "".join(f"<td>{c}</td>" for c in rest) + "</tr>")
     text.append("</tbody></table></div>")
     return "".join(text)
@@ -48,7 +51,7 @@ def how(runs):
 
     add("Model", lambda run: run.title)
     add("Model file", lambda run: run.record.get("path") or run.record.get("file"))
-    add("Table", lambda run: run.name)
+    add("Table", lambda run: run.name if run.kept else "")
     add("Date", lambda run: run.record.get("date", "").replace("T", " ").replace("Z", " UTC"))
     add("maggi", lambda run: run.record.get("maggi"))
     add("Set", lambda run: ", ".join(f"{k} = {number(v, 12)}" for k, v in run.record.get("set", {}).items())
@@ -91,6 +94,12 @@ def masses(run):
     return total, moment/total if total > 0.0 else None
 
 
+def gravity(run):
+    """Its size in the model [m/s^2]."""
+    g = run.point("gravity")
+    return float(numpy.linalg.norm(g)) or 9.81 if g is not None else 9.81
+
+
 def model(runs):
     head = [""] + [html.escape(run.label) for run in runs] if len(runs) > 1 else None
     rows = []
@@ -108,7 +117,7 @@ def model(runs):
         len(run.model["loops"]), run.model["loop_equations"], run.model["rank"]))
     add("Mass", lambda run: cell(masses(run)[0], "kg"))
     add("Centre of gravity, as in the file", lambda run: "({}) m".format(
-        ", ".join(number(float(x), 4) for x in masses(run)[1])) if masses(run)[1] is not None else None)
+        ", ".join(number(round(float(x), 9) + 0.0, 4) for x in masses(run)[1])) if masses(run)[1] is not None else None)
     add("Source", lambda run: html.escape(run.model.get("source", "")) or None)
     return table(head, rows)
 
@@ -123,7 +132,7 @@ def vehicle(vehicles):
         rows.append([f"Axle {axle.name}: wheels"] +
                     [html.escape(", ".join(w["name"] for w in a.wheels)) for a in mine])
         rows.append([f"Axle {axle.name}: track"] + [cell(a.track(), "m") for a in mine])
-        loads = [v.vertical(a.wheels)[0]/G if v.has(a, v.force) else None for v, a in zip(vehicles, mine)]
+        loads = [v.vertical(a.wheels)[0]/gravity(v.run) if v.has(a, v.force) else None for v, a in zip(vehicles, mine)]
         if any(load is not None for load in loads):
             rows.append([f"Axle {axle.name}: load at t = 0"] + [cell(load, "kg") for load in loads])
     rows.append(["Tyres"] + [html.escape(", ".join(dict.fromkeys(w["tyre"] for w in v.wheels)))
@@ -131,6 +140,30 @@ def vehicle(vehicles):
     rows.append(["Road"] + [html.escape(", ".join(road(v))) for v in vehicles])
     head = [""] + [html.escape(v.run.label) for v in vehicles] if len(vehicles) > 1 else None
     return table(head, rows)
+
+
+def at_start(runs, vehicles):
+    """Tyres and springs at t = 0, which is the static equilibrium where a model starts in it."""
+    text, head = "", ["", "unit"] + [html.escape(r.label) if len(runs) > 1 else "value" for r in runs]
+    rows, by_run = [], {v.run: v for v in vehicles}
+    for name in dict.fromkeys(w["name"] for v in vehicles for w in v.wheels):
+        loads = [by_run[r].force.get(name, {}).get("fz") if r in by_run else None for r in runs]
+        if any(load is not None for load in loads):
+            rows.append([f"Tyre {html.escape(name)}: load", "kg"] +
+                        [number(None if load is None else float(load[0])/gravity(r))
+                         for load, r in zip(loads, runs)])
+    springs = dict.fromkeys(s["sensor"] for r in runs for s in r.sensors.values()
+                            if s.get("type") == "spring")
+    for name in springs:
+        cells = []
+        for r in runs:
+            length, force = (r.table.get(f"{name}.{end}") for end in ("length", "force"))
+            cells.append("–" if length is None else
+                         f"{number(float(length[0]))} / {number(round(float(force[0]), 6) + 0.0)}")
+        rows.append([f"Spring {html.escape(name)}: length / force", "m / N"] + cells)
+    if rows:
+        text = card(f"At the start, t = {number(float(runs[0].t[0]))} s", table(head, rows, "num"))
+    return text
 
 
 def road(v):
@@ -168,21 +201,3 @@ def manoeuvre(runs, vehicles):
 def kind(v):
     return {"none": "no guided steering angle", "still": "stands still", "step": "step: goes over and stays",
             "ramp": "ramp: goes on to the end", "other": "goes to and fro"}[v.manoeuvre.kind]
-
-
-# ------------------------------------------------------------------ more of the command
-
-
-def ask(maggi, command, run):
-    """What `maggi COMMAND MODEL --json` says of the model of a run, or None."""
-    file = run.record.get("path") or run.record.get("file")
-    if not maggi or not file:
-        return None
-    arguments = [maggi, command, file, "--json"]
-    for path, value in run.record.get("set", {}).items():
-        arguments += ["--set", f"{path}={value!r}"]
-    try:
-        done = subprocess.run(arguments, capture_output=True, text=True, timeout=FACTS, check=False)
-        return json.loads(done.stdout) if done.returncode == 0 else None
-    except (OSError, ValueError, subprocess.TimeoutExpired):
-        return None

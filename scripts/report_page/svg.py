@@ -6,10 +6,10 @@ import math
 import numpy
 
 WIDTH, HEIGHT = 680, 280  # of the picture [px]
-LEFT, RIGHT, TOP, BOTTOM = 66, 14, 10, 44
+LEFT, RIGHT, TOP, BOTTOM = 76, 14, 10, 44
 FINE = 10  # units of a path in one pixel
 COLOURS = 8  # --c0 .. --c7 of the style sheet
-DASHES = ["", "7 3", "2 2.5", "9 3 2 3", "4 2", "1.5 4"]
+DASHES = ["", "7 3", "12 3 2 3", "4 2", "9 3 2 3 2 3", "2 2"]
 ZOOM = {-9: "n", -6: "µ", -3: "m", 3: "k", 6: "M", 9: "G"}
 PREFIXED = ("m", "N", "J", "N m", "rad", "Pa", "W", "m/s", "rad/s")
 NUMBER = itertools.count(1)
@@ -173,7 +173,8 @@ class Plot:
             f'<figure id="{name}" data-r="{x0:.9g} {x1:.9g} {y0:.9g} {y1:.9g}" '
             f'data-x="{html.escape(self.x_label)}" data-xu="{x_unit}" data-yu="{y_unit}"'
             f'{"" if self.is_function else " data-xy=1"}>',
-            f'<figcaption><b>{number}</b> {html.escape(self.title)}</figcaption>',
+            f'<figcaption><b>{number}</b> {html.escape(self.title)}'
+            '<output class="at" aria-live="polite"></output></figcaption>',
             f'<svg viewBox="0 0 {WIDTH} {HEIGHT}" role="img" tabindex="0" '
             f'aria-labelledby="{name}t {name}d"><title id="{name}t">{html.escape(self.title)}</title>'
             f'<desc id="{name}d">{html.escape(self.describe(axis_x, axis_y, fy, y_unit))}</desc>',
@@ -187,7 +188,7 @@ class Plot:
                 dash = f' stroke-dasharray="{DASHES[c.dash]}"' if DASHES[c.dash] else ""
                 style = f"cv c{c.colour}" if kind == "cv" else "bg"
                 out.append(f'<path class="{style}"{dash} d="{d}"/>')
-        out.append('</g><line class="cur" y1="10" y2="236" visibility="hidden"/></svg>')
+        out.append(f'</g><line class="cur" y1="{TOP}" y2="{HEIGHT - BOTTOM}" visibility="hidden"/></svg>')
         out.append(self.legend(y_unit))
         if self.note:
             out.append(f'<p class="note">{html.escape(self.note)}</p>')
@@ -217,7 +218,7 @@ class Plot:
                        f'<text class="ty" x="{LEFT - 6}" y="{y + 4:.1f}">{tick_text(v, step)}</text>')
         out.append(f'<path class="box" d="M{LEFT} {TOP}v{h}h{w}"/>')
         out.append(f'<text class="tx lab" x="{LEFT + w/2:.0f}" y="{HEIGHT - 8}">{html.escape(axis_x)}'
-                   f'</text><text class="tx lab" transform="translate(14 {TOP + h/2:.0f}) rotate(-90)">'
+                   f'</text><text class="tx lab" transform="translate(13 {TOP + h/2:.0f}) rotate(-90)">'
                    f'{html.escape(axis_y)}</text>')
         return out
 
@@ -230,7 +231,7 @@ class Plot:
         for label in dict.fromkeys(c.label for c in self.background if c.label):
             items.append('<li><svg viewBox="0 0 26 8" aria-hidden="true"><path class="bg" d="M0 4h26"/>'
                          f'</svg>{html.escape(label)}</li>')
-        return f'<ul class="legend">{"".join(items)}</ul><output class="at" aria-live="polite"></output>'
+        return f'<ul class="legend">{"".join(items)}</ul>'
 
 
 def grow(low, high, size):

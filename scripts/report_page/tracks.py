@@ -12,7 +12,7 @@ SECTIONS = [  # length [m], width over b, constant of the width [m], right edge 
 LENGTH = sum(s[0] for s in SECTIONS)
 MIDDLE = 15.0 + 30.0 + 12.5  # of the third section
 NOTE = ("Track: ISO 3888-1 for a vehicle {width:.3g} m wide; its first lane is about the path at the start, its "
-        "third section at the largest offset. The axes have different scales.")
+        "third section at the largest offset (of the first run). The axes have different scales.")
 
 
 def width_of(vehicle, width):

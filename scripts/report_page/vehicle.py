@@ -6,6 +6,7 @@ the joint that is a free one, or has sensors.
 import numpy
 
 G = 9.80665
+STANDSTILL = 0.1  # slower than that a path has no direction [m/s]
 AXLE_GAP = 0.5  # wheels further apart along x are on different axles [m]
 
 
@@ -47,6 +48,7 @@ class Vehicle:
         self.motion()
         self.attitude()
         self.steering()
+        self.drive()
         self.tyres()
 
     # ---------------------------------------------------------------- what it is made of
@@ -58,10 +60,14 @@ class Vehicle:
         return line
 
     def root(self):
-        """The body on the ground under which most wheels are."""
-        tops = [self.ancestors(w["carrier"])[-1] for w in self.wheels]
-        tops = [top for top in tops if top in self.parents]
-        return max(tops, key=lambda top: (self.joints[top] == "free", tops.count(top)), default=None)
+        """Of the bodies on the ground the heaviest, with all that hangs on it."""
+        mass = {}
+        for path, value in self.run.parameter.items():
+            words = path.split(".")
+            if words[0] == "bodies" and words[-1] == "mass" and words[1] in self.parents:
+                top = self.ancestors(words[1])[-1]
+                mass[top] = mass.get(top, 0.0) + value
+        return max(mass, key=mass.get, default=None)
 
     def find_axles(self):
         ordered = sorted(self.wheels, key=lambda w: -w["point"][0])
@@ -120,19 +126,25 @@ class Vehicle:
             self.add("speed", "speed", "m/s", numpy.sqrt(x*x + y*y + z*z), source)
         if acceleration:
             self.add("az", "vertical acceleration", "m/s^2", acceleration[2], acceleration[3])
-        if velocity and acceleration and velocity[3].split(" on ")[-1] == \
+        found = self.run.sensor_columns("lateral_acceleration", body=self.body)
+        if found:
+            self.put_lateral(found["planar"], found["exact"], found["approximate"],
+                             f"lateral_acceleration sensor on {self.body}")
+        elif velocity and acceleration and velocity[3].split(" on ")[-1] == \
                 acceleration[3].split(" on ")[-1]:
             self.lateral(numpy.array(velocity[:3]), numpy.array(acceleration[:3]), acceleration[3])
 
     def lateral(self, v, a, source):
         """[1] 3.19, its planar form 3.20 with a sign, and 3.21, for constant speed."""
-        with numpy.errstate(divide="ignore", invalid="ignore"):
-            planar = (v[0]*a[1] - v[1]*a[0])/numpy.hypot(v[0], v[1])
-            along = numpy.sum(a*v, axis=0)/numpy.sum(v*v, axis=0)
-        exact = numpy.linalg.norm(a - along*v, axis=0)
+        level = moving(numpy.hypot(v[0], v[1]))
+        along = numpy.sum(a*v, axis=0)/(level**2 + v[2]**2)
+        self.put_lateral((v[0]*a[1] - v[1]*a[0])/level, numpy.linalg.norm(a - along*v, axis=0),
+                         numpy.hypot(a[0], a[1]), source)
+
+    def put_lateral(self, planar, exact, approximate, source):
         self.add("ay", "lateral acceleration", "m/s^2", planar, source)
         self.add("ay_exact", "|a_y| exact (3.19)", "m/s^2", exact, source)
-        self.add("ay_approximate", "|a_y| approximate (3.21)", "m/s^2", numpy.hypot(a[0], a[1]), source)
+        self.add("ay_approximate", "|a_y| approximate (3.21)", "m/s^2", approximate, source)
 
     def attitude(self):
         names = ("roll", "pitch", "yaw")
@@ -150,11 +162,14 @@ class Vehicle:
                 self.add(name + "_rate", f"{name} rate", "rad/s", rate)
             if acceleration is not None:
                 self.add(name + "_acceleration", f"{name} acceleration", "rad/s^2", acceleration)
-        if "vx" in self.channel and "yaw" in self.channel:
-            course = numpy.unwrap(numpy.arctan2(self.get("vy"), self.get("vx")))
-            slip = course - self.get("yaw")
-            slip -= 2*numpy.pi*numpy.round(slip[0]/(2*numpy.pi))
-            self.add("sideslip", "sideslip angle", "rad", slip)
+        found = self.run.sensor_columns("sideslip", body=self.body)
+        if found:
+            self.add("sideslip", "sideslip angle", "rad", found["angle"])
+        elif "vx" in self.channel and "yaw" in self.channel:
+            vx, vy, yaw = self.get("vx"), self.get("vy"), self.get("yaw")
+            ahead, left = vx*numpy.cos(yaw) + vy*numpy.sin(yaw), vy*numpy.cos(yaw) - vx*numpy.sin(yaw)
+            self.add("sideslip", "sideslip angle", "rad",
+                     numpy.arctan2(left, ahead) + 0.0*moving(numpy.hypot(vx, vy)))
 
     # ---------------------------------------------------------------- steering
 
@@ -179,6 +194,34 @@ class Vehicle:
         if angles and not any(a is None for a in angles) and "yaw" in self.channel:
             self.add("road_wheel", "angle of the front wheels", "rad",
                      numpy.mean(angles, axis=0) - self.get("yaw"))
+
+    # ---------------------------------------------------------------- drive
+
+    def drive(self):
+        """Torque of a speed controller on each of its wheels, where the speed of its point is measured."""
+        for force in self.run.model.get("forces", []):
+            path = f"forces.{force['name']}."
+            keys = [self.run.parameter.get(path + key) for key in ("speed", "gain", "torque", "low_speed")]
+            if not force["type"].startswith("speed") or None in keys or "function" in force:
+                continue
+            speed, gain, torque, low = keys
+            v = self.speed_of_point(force["body"], self.run.point(path + "point"))
+            if v is None:
+                continue
+            e = speed - numpy.sqrt(v**2 + low**2)
+            law = e if "linear" in force["type"] else e*numpy.abs(e)
+            self.add("torque", f"torque of {force['name']} on each wheel", "N m", gain*torque*law)
+            return
+
+    def speed_of_point(self, body, point):
+        """Of the velocity sensor there, or None."""
+        names = {s["sensor"] for s in self.run.sensors.values()
+                 if s.get("type") == "velocity" and s.get("body") == body}
+        for name in sorted(names):
+            there = self.run.point(f"sensors.{name}.point")
+            if point is not None and there is not None and numpy.max(numpy.abs(there - point)) < 1e-9:
+                return numpy.sqrt(sum(self.run.table[f"{name}.{axis}"]**2 for axis in "xyz"))
+        return None
 
     # ---------------------------------------------------------------- tyres
 
@@ -227,6 +270,11 @@ class Vehicle:
         df = (load - fnomin*lfzo)/(fnomin*lfzo)
         return (f["fx"]/(load*numpy.abs((pdx1 + pdx2*df)*lmux)),
                 f["fy"]/(load*numpy.abs((pdy1 + pdy2*df)*lmuy)))
+
+
+def moving(speed):
+    """The speed where there is one, else not a number."""
+    return numpy.where(speed > STANDSTILL, speed, numpy.nan)
 
 
 def owner(coordinate, bodies):

@@ -190,6 +190,25 @@ static void add_guided(maggi_builder *b)
   maggi_builder_body(b, &body);
 }
 
+/* "drive": its acceleration and what a filter makes of that */
+static void add_filter(maggi_builder *b)
+{
+  maggi_sensor_def sensor;
+  maggi_filter_def filter;
+
+  maggi_sensor_def_init(&sensor);
+  sensor.name = sensor.body = "drive";
+  sensor.type = MAGGI_SENSOR_ACCELERATION;
+  sensor.point[1] = 1.0;
+  maggi_builder_sensor(b, &sensor);
+  maggi_filter_def_init(&filter);
+  maggi_filter_def_weighting(&filter, MAGGI_WEIGHTING_WK);
+  filter.name = "drive";
+  filter.signal = "drive.z";
+  filter.f2 = 10.0;
+  maggi_builder_filter(b, &filter);
+}
+
 /* Turns evenly, by 1 rad/s, without gravity, into the flat position where its loop is singular, at the
  * end of a step or amid it.  What moves is a spring, which is none, and the guide of another body: so it
  * stays a parallelogram. */
@@ -210,6 +229,7 @@ static void check_parallelogram(const char *name, double before, double precisio
   add_bar(b, "coupler", "crank", y, z, 2.0 + y, z);
   add_bar(b, "follower", MAGGI_GROUND, 2.0, 0.0, 2.0 + y, z);
   add_guided(b);
+  add_filter(b);
   maggi_loop_def_init(&loop);
   loop.name = "pin";
   loop.type = MAGGI_LOOP_REVOLUTE;

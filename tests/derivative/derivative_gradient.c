@@ -414,7 +414,7 @@ static void add_aim(study *s, maggi_objective_type type, int signal, int other, 
 static void choose_aims(study *s)
 {
   int n = s->m->ncoordinate, energy = 3 * n, wrench = energy + 3, w = 6 * s->m->nbody;
-  int sensors = 3 * s->d->t.nsensor, at = wrench + w, velocity;
+  int sensors = s->m->ncolumn, at = wrench + w, velocity;
 
   velocity = pick(s, 1, n, 3);
   add_aim(s, MAGGI_OBJECTIVE_INTEGRAL_SQUARE, velocity, -1, 0);

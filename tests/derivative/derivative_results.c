@@ -304,6 +304,17 @@ static void check_signals(probe *o, int first, int n)
   if (n > 0) check_probe(o);
 }
 
+/* all columns of a sensor, of which the first one is signal `first` */
+static void check_sensor(probe *o, int first, int sensor)
+{
+  const maggi_model *m = o->s->d->m;
+  int i = 0, n = 0;
+
+  while (m->sensorplace[i] / 3 != sensor) ++i;
+  while (i + n < m->ncolumn && m->sensorplace[i + n] / 3 == sensor) ++n;
+  check_signals(o, first + i, n);
+}
+
 static void check_all(state *s, int is_given)
 {
   const maggi_model *m = s->d->m;
@@ -314,8 +325,7 @@ static void check_all(state *s, int is_given)
   if (!o.signal) abort();
   check_signals(&o, 0, begin);
   check_signals(&o, begin, end - begin);
-  if (m->topo.nsensor > 0)
-    check_signals(&o, end + 3 * mech_integer(&s->random, m->topo.nsensor), 3);
+  if (m->topo.nsensor > 0) check_sensor(&o, end, mech_integer(&s->random, m->topo.nsensor));
   check_signals(&o, 0, number);
   free(o.signal);
 }

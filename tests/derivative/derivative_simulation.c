@@ -66,8 +66,8 @@ static int group_of(const simulation *s, int signal)
   signal -= 3;
   if (signal < 6 * s->m->nbody) return 4 + signal % 6 / 3;
   signal -= 6 * s->m->nbody;
-  if (signal < 3 * s->d->t.nsensor) return 6 + signal / 3;
-  return 6 + s->d->t.nsensor + signal - 3 * s->d->t.nsensor;
+  if (signal < s->m->ncolumn) return 6 + s->m->sensorplace[signal] / 3;
+  return 6 + s->d->t.nsensor + signal - s->m->ncolumn;
 }
 
 static void check_name(const simulation *s, int signal, const char *name, const char *suffix)
@@ -84,7 +84,7 @@ static void check_names(const simulation *s)
   static const char *const motion[3] = {".q", ".v", ".a"};
   static const char *const energy[3] = {"kinetic", "potential", "total"};
   static const char *const wrench[6] = {".fx", ".fy", ".fz", ".mx", ".my", ".mz"};
-  int i, n = 0, columns = 3 * s->d->t.nsensor;
+  int i, n = 0, columns = s->m->ncolumn;
 
   for (i = 0; i < 3 * s->m->ncoordinate; ++i)
     check_name(s, n++, maggi_coordinate_name(s->m, i / 3), motion[i % 3]);
@@ -193,7 +193,8 @@ static void check_state(const simulation *s, maggi_direct *direct, replay **r, l
 
 /* what has occurred, of all simulations */
 static struct {
-  long early, changes, closures, between, parts, kept, guided, redundant, knees;
+  long early, changes, closures, between, parts, kept, guided, redundant, knees, filters,
+      filters_between;
 } occurred;
 
 static void count(const maggi_data *d, const replay *r, long bends)
@@ -210,6 +211,8 @@ static void count(const maggi_data *d, const replay *r, long bends)
   occurred.guided += t->nguide > 0;
   occurred.redundant += rows > t->ndep;
   occurred.knees += bends;
+  occurred.filters += t->nfilter > 0;
+  occurred.filters_between += t->nfilter > 0 && n.between > 0;
 }
 
 /* Direct differentiation and complex simulations side by side.  Where motions diverge so
@@ -327,6 +330,8 @@ int main(int argc, char **argv)
     report_true(0, "guided motion", occurred.guided > 0);
     report_true(0, "redundant loops", occurred.redundant > 0);
     report_true(0, "knees of dampers were crossed", occurred.knees > 0);
+    report_true(0, "filters", occurred.filters > 30);
+    report_true(0, "filters between two nodes", occurred.filters_between > 0);
   }
   return report_done("derivative_simulation");
 }

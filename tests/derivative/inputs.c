@@ -166,7 +166,9 @@ static void random_rotations(inputs *in, int n, double *A)
     if (t->sensorkind[i] == MAGGI_SENSOR_ANGLES) {
       while (a[8] < 0.0 && fabs(a[7]) < INPUTS_MARGIN) fill(in, 1, -1.0, 1.0, a + 7);
       while (a[0] < 0.0 && fabs(a[3]) < INPUTS_MARGIN) fill(in, 1, -1.0, 1.0, a + 3);
-    } else if (t->sensorkind[i] == MAGGI_SENSOR_ANGLE_RATES) {
+    } else if (t->sensorkind[i] == MAGGI_SENSOR_ANGLE_RATES ||
+               (t->sensorkind[i] >= MAGGI_SENSOR_SIDESLIP &&
+                t->sensorkind[i] <= MAGGI_SENSOR_LEVEL_ACCELERATION)) {
       while (hypot(a[0], a[3]) < 0.3) fill(in, 1, -1.0, 1.0, a + 3);
     }
   }

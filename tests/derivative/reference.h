@@ -40,6 +40,8 @@ void reference_motion_given(reference_motion *m, reference_number time);
 /* Newton on the dependent coordinates until neither their values nor their derivatives change; whether
  * it comes to an end */
 int reference_motion_close(reference_motion *m, reference_number time);
+/* after one of the carriers' velocities: velocities of wheels that roll, "spin" */
+void reference_motion_roll(reference_motion *m);
 /* after one with all results: kinetic and potential energy */
 void reference_motion_energy(reference_motion *m, reference_number energy[2]);
 

@@ -134,6 +134,13 @@ int reference_motion_close(reference_motion *m, reference_number time)
   return 0;
 }
 
+void reference_motion_roll(reference_motion *m)
+{
+  maggi_data *d = &m->data;
+
+  maggi_rolling(&d->t, d->p, (void *)d->A, (void *)d->b, (void *)d->r, (void *)d->Z, d->spin);
+}
+
 void reference_motion_energy(reference_motion *m, reference_number energy[2])
 {
   maggi_data *d = &m->data;

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "equilibrium.h"
 #include "plan.h"
 
 /* as maggi_node */
@@ -272,6 +273,52 @@ static void set_parameters(replay *r, const double *x)
   for (i = 0; i < r->t.np; ++i) p[i] = r->d->p[i] + _Complex_I * REFERENCE_STEP * x[i];
 }
 
+/* Positions q of static equilibrium, from those that e has found, along the direction x of the parameters:
+ * Newton's method with the Jacobian there. */
+static int find_equilibrium(const maggi_equilibrium *e, const double *x, reference_number *q)
+{
+  replay r = {.d = e->x};
+  reference_number *to;
+  double *move[2] = {room(e->x->t.nq, sizeof(double)), room(e->x->t.nq, sizeof(double))};
+  int i, k, n, ok = 1;
+
+  begin_motion(&r, e->x);
+  set_parameters(&r, x);
+  to = r.place[MAGGI_PRESENT].q;
+  for (k = 0; k < r.t.nq; ++k) to[k] = e->x->q[k];
+  for (n = 0; n < 4 && ok; ++n) {
+    ok = reference_motion_close(r.z, 0.0L);
+    memset(r.vcol, 0, (size_t)r.t.nind * sizeof *r.vcol);
+    reference_motion_stage(r.z, 0.0L);
+    for (i = 0; i < r.t.nind; ++i) {
+      move[0][i] = (double)creall(r.acol[i]);
+      move[1][i] = (double)(cimagl(r.acol[i]) / REFERENCE_STEP);
+    }
+    for (k = 0; k < 2; ++k) maggi_dense_solve(&e->factor, move[k]);
+    for (i = 0; i < r.t.nind; ++i)
+      to[r.t.colq[i]] -= move[0][i] + _Complex_I * REFERENCE_STEP * move[1][i];
+  }
+  ok = ok && reference_motion_close(r.z, 0.0L);
+  memcpy(q, to, bytes(&r));
+  reference_motion_free(r.z);
+  free_plan(&r.t);
+  free(move[0]);
+  free(move[1]);
+  return ok;
+}
+
+/* Wheels roll, by the velocities of all others. */
+static void roll(replay *r)
+{
+  const maggi_topo *t = &r->t;
+  reference_number *spin = reference_motion_array(r->z, "spin");
+  int i;
+
+  reference_motion_evaluate(r->z, 0.0L);
+  reference_motion_roll(r->z);
+  for (i = 0; i < t->nwheel; ++i) r->vcol[t->col[t->qid[t->wheelbody[i]]]] = spin[i];
+}
+
 /* Coordinates where the parameters say; those that depend on them from the real simulation, to be closed.
  * `assembled` is a simulation with the plan by which it closed them. */
 static int set_start(replay *r, const maggi_data *assembled, const double *x)
@@ -289,6 +336,7 @@ static int set_start(replay *r, const maggi_data *assembled, const double *x)
     if (r->t.col[k] >= 0 && m->initial_position[k] >= 0)
       r->place[MAGGI_PRESENT].q[k] = p[m->initial_position[k]];
   }
+  if (d->equilibrium && !find_equilibrium(d->equilibrium, x, r->place[MAGGI_PRESENT].q)) return 0;
   if (!reference_motion_close(r->z, 0.0L)) return 0;
   change_motion(r, d);
   p = reference_motion_array(r->z, "p");
@@ -296,6 +344,7 @@ static int set_start(replay *r, const maggi_data *assembled, const double *x)
     k = r->t.colq[i];
     r->vcol[i] = p[m->initial_velocity[k]];
   }
+  if (m->rolling) roll(r);
   reference_motion_evaluate(r->z, 0.0L);
   return 1;
 }
@@ -345,7 +394,7 @@ replay_counts replay_count(const replay *r)
 
 int replay_number(const replay *r)
 {
-  return 3 * r->d->m->ncoordinate + 3 + 6 * r->d->m->nbody + 3 * r->t.nsensor + r->t.nfilter;
+  return 3 * r->d->m->ncoordinate + 3 + 6 * r->d->m->nbody + r->d->m->ncolumn + r->t.nfilter;
 }
 
 /* what the parent exerts, at the joint point x of the body; wrench: of all else, at the origin */
@@ -383,7 +432,8 @@ void replay_values(replay *r, reference_number *values)
     k = m->body[i].body;
     reaction(x + 3 * k, wrench + 6 * k, values);
   }
-  memcpy(values, reference_motion_array(r->z, "sensor"), (size_t)r->t.nsensor * 3 * sizeof *values);
-  values += r->t.nsensor * 3;
+  for (i = 0; i < m->ncolumn; ++i)
+    values[i] = reference_motion_array(r->z, "sensor")[m->sensorplace[i]];
+  values += m->ncolumn;
   memcpy(values, reference_motion_array(r->z, "weighted"), (size_t)r->t.nfilter * sizeof *values);
 }

@@ -1,4 +1,5 @@
 /* A description becomes a model, its parts in any order. */
+#include <math.h>
 #include <stdio.h>
 
 #include "mechanism.h"
@@ -168,6 +169,50 @@ static maggi_status add_sensor(maggi_builder *b, const mechanism *m, int i)
   return maggi_builder_sensor(b, &d);
 }
 
+/* of every third seed: two with numbers of their own, on any sensors */
+static maggi_status add_filters(maggi_builder *b, const mechanism *m)
+{
+  static const char *const column[MAGGI_SENSOR_TYPE_COUNT] = {
+      [MAGGI_SENSOR_POSITION] = "y",
+      [MAGGI_SENSOR_VELOCITY] = "z",
+      [MAGGI_SENSOR_ACCELERATION] = "z",
+      [MAGGI_SENSOR_ANGLES] = "pitch",
+      [MAGGI_SENSOR_ANGLE_RATES] = "pitch_rate",
+      [MAGGI_SENSOR_ANGULAR_VELOCITY] = "x",
+      [MAGGI_SENSOR_ANGULAR_ACCELERATION] = "y",
+      [MAGGI_SENSOR_SPRING] = "force",
+      [MAGGI_SENSOR_JOINT_SPRING] = "torque",
+      [MAGGI_SENSOR_ROD] = "force"};
+  mech_random g = {m->seed * 31u + 7u};
+  maggi_status status = MAGGI_OK;
+  maggi_filter_def d;
+  char name[MECH_NAME], signal[2 * MECH_NAME];
+  int i, sensor;
+
+  for (i = 0; i < 2 && m->seed % 3 == 0 && status == MAGGI_OK; ++i) {
+    sensor = mech_integer(&g, m->nsensor);
+    snprintf(name, sizeof name, "y%d", i);
+    snprintf(signal, sizeof signal, "x%d.%s", sensor, column[m->sensor[sensor].def.type]);
+    maggi_filter_def_init(&d);
+    d.name = name;
+    d.signal = signal;
+    d.f1 = mech_uniform(&g, 0.3, 1.0);
+    d.f2 = mech_uniform(&g, 5.0, 15.0);
+    if (mech_integer(&g, 3) > 0) d.f4 = mech_uniform(&g, 1.0, 6.0);
+    if (isfinite(d.f4) && mech_integer(&g, 2) > 0) d.f3 = mech_uniform(&g, 1.0, 6.0);
+    if (mech_integer(&g, 3) > 0) {
+      d.f5 = mech_uniform(&g, 1.0, 3.0);
+      d.f6 = mech_uniform(&g, 2.0, 5.0);
+    }
+    d.q4 = mech_uniform(&g, 0.5, 1.0);
+    d.q5 = mech_uniform(&g, 0.5, 1.0);
+    d.q6 = mech_uniform(&g, 0.5, 1.0);
+    d.gain = mech_uniform(&g, 0.5, 2.0);
+    status = maggi_builder_filter(b, &d);
+  }
+  return status;
+}
+
 typedef maggi_status add_part(maggi_builder *b, const mechanism *m, int i);
 
 static maggi_status add_all(maggi_builder *b, const mechanism *m, mech_random *shuffle, int n,
@@ -211,6 +256,8 @@ maggi_status mech_build(const mechanism *m, mech_random *shuffle, maggi_model **
     status = add_all(b, m, shuffle, m->nfunction, add_function);
   if (status == MAGGI_OK)
     status = add_all(b, m, NULL, m->nsensor, add_sensor);
+  if (status == MAGGI_OK)
+    status = add_filters(b, m);
   if (status == MAGGI_OK)
     status = maggi_model_create(b, model);
   if (status != MAGGI_OK)

@@ -356,7 +356,7 @@ static void loops_in_space(mechanism *m, mech_random *g, int first, int n, int *
   int i, type, a, b;
 
   for (i = 0; i < n && m->nloop < MECH_LOOPS; ++i) {
-    type = mech_integer(g, MAGGI_LOOP_TYPE_COUNT);
+    type = mech_integer(g, MAGGI_LOOP_PRISMATIC + 1);
     if (!choose_ends(m, g, first, need[type], used, &a, &b))
       continue;
     point_between(m, g, a, b, x);
@@ -409,7 +409,7 @@ static void loops_in_plane(mechanism *m, mech_random *g, int first, int n, const
     if (!choose_ends(m, g, first, 2, used, &a, &b))
       continue;
     point_between(m, g, a, b, x);
-    type = mech_integer(g, MAGGI_LOOP_TYPE_COUNT);
+    type = mech_integer(g, MAGGI_LOOP_PRISMATIC + 1);
     if (chance(g, 0.4))
       type = MAGGI_LOOP_REVOLUTE;
     memcpy(axis, normal, sizeof axis);

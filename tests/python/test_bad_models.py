@@ -139,6 +139,12 @@ sensors:
     type: position
     body: crank
     point: [0, 0, -1]
+  - {name: slide, type: sideslip, body: crank, low_speed: 0.01}
+  - {name: sum, type: combination, terms: [slide.speed, end.z], weights: [1, 2], unit: m}
+filters:
+  - {name: felt, signal: end.y, weighting: Wk}
+  - {name: own, signal: end.z, f1: 0.4, f2: 90, f3: 12, f4: 13, q4: 0.6, f5: 2, q5: 1, f6: 3,
+     q6: 0.9, gain: 1}
 objectives:
   - {name: J1, type: integral_square, signal: coupler.1.q}
   - {name: high, type: smooth_maximum, signal: end.z, sharpness: 50}
@@ -471,15 +477,15 @@ ROWS = [
     ),
     Row(
         "sensor without a body",
-        "body: crank\n    point: [0, 0, -1]\nobjectives",
-        "point: [0, 0, -1]\nobjectives",
+        "body: crank\n    point: [0, 0, -1]\n  - {name: slide",
+        "point: [0, 0, -1]\n  - {name: slide",
         "- name: end",
         '"body" is missing',
     ),
     Row(
         "centre of gravity of the ground",
-        "body: crank\n    point: [0, 0, -1]\nobjectives",
-        "body: ground\nobjectives",
+        "body: crank\n    point: [0, 0, -1]\n  - {name: slide",
+        "body: ground\n  - {name: slide",
         "- name: end",
         "point is missing",
     ),
@@ -518,6 +524,33 @@ ROWS = [
         "- name: end",
         'no key "body"',
     ),
+    Row("no low speed", "low_speed: 0.01", "low_speed: 0", "name: slide", "must be positive"),
+    Row("low speed of a point", "type: sideslip", "type: velocity", "slide", '"low_speed"'),
+    Row("terms of a sideslip", "low_speed: 0.01", "terms: [end.z]", "slide", 'no key "terms"'),
+    Row("sum of nothing", "terms: [slide.speed, end.z], ", "", "name: sum", '"terms" is missing'),
+    Row("sum of a later one", "[slide.speed, end.z]", "[slide.speed, sum.value]", "sum", "before it"),
+    Row("sum of no column", "[slide.speed, end.z]", "[slide.speed, end.w]", "sum", '"end.w"'),
+    Row("weights of a sum", "weights: [1, 2]", "weights: [1]", "weights: [1]", "1 weights for 2"),
+    Row("body of a sum", "type: combination", "type: combination, body: crank", "sum", '"body"'),
+    # filters
+    Row("unknown weighting", "weighting: Wk", "weighting: Wq", "weighting: Wq", '"Wq" is none of Wk, Wd'),
+    Row("no signal of a filter", "signal: end.y, weighting", "weighting", "name: felt", '"signal"'),
+    Row("unknown signal of a filter", "end.y, weighting", "end.w, weighting", "end.w", '"end.w" is no column'),
+    Row("filter of a coordinate", "end.y, weighting", "crank.q, weighting", "crank.q", "no column of a sensor"),
+    Row("filter of a filter", "end.y, weighting", "own.weighted, weighting", "own.weighted", "no column"),
+    Row("filter twice", "name: own,", "name: felt,", "name: felt, signal: end.z", "already"),
+    Row("weighting with numbers", "weighting: Wk", "weighting: Wk, gain: 2", "name: felt", "numbers of another"),
+    Row("neither weighting nor numbers", ", weighting: Wk", "", "name: felt", '"weighting" is missing'),
+    Row("frequency not a number", "f1: 0.4", "f1: NaN", "f1: NaN", '"NaN" is not a number'),
+    Row("infinite frequency of the high pass", "f1: 0.4", "f1: inf", "f1: inf", '"inf" is not a number'),
+    Row("transition not a number", "f4: 13", "f4: nan", "f4: nan", "neither a number nor inf"),
+    Row("negative frequency", "f2: 90", "f2: -90", "f2: -90", "f2 is not positive (-90)"),
+    Row("negative transition", "f4: 13", "f4: -inf", "f4: -inf", "neither a number nor inf"),
+    Row("quality of zero", "q4: 0.6", "q4: 0", "q4: 0", "q4 is not positive"),
+    Row("quality missing", "q4: 0.6, ", "", "name: own", "q4 is missing"),
+    Row("half of a transition", "f4: 13", "f4: inf", "f3: 12", "f3 needs f4"),
+    Row("half of a step", "f6: 3", "f6: inf", "f5: 2", "f5 and f6"),
+    Row("unknown key of a filter", "f6: 3", "f7: 3", "name: own", '"f7"'),
     # objectives and design parameters
     Row("unknown objective", "type: integral_square", "type: area", "type: area", '"area"'),
     Row("objective twice", "name: high", "name: J1", "name: J1, type: smooth", "already"),

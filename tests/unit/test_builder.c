@@ -375,6 +375,7 @@ static void test_parts(void)
 
   REFUSED(sensor, d.type = (maggi_sensor_type)99, "sensors.s: sensor type 99 does not exist");
   REFUSED(sensor, d.point[0] = NAN, "sensors.s: point is not finite");
+  REFUSED(sensor, d.type = MAGGI_SENSOR_COMBINATION, "sensors.s: terms are missing");
 }
 
 /* (each wrong definition: test_objective.c, test_design.c) */

@@ -22,9 +22,13 @@ static const char *const kinds[] = {
     " axis: [1, 2, -1]}\n",
     "loops:\n- {name: l, type: universal, body_a: b3, body_b: ground, point: [0.5, 1, 0.2],"
     " axis_a: [1, 2, -1], axis_b: [0.3, -1, 0.2]}\n",
+    "loops:\n- {name: l, type: point_plane, body_a: a3, body_b: b3, point: [0.5, 1, 0.2],"
+    " axis: [1, 2, -1]}\n",
+    "loops:\n- {name: l, type: point_plane, body_a: b3, body_b: a1, point_a: [0.5, 1, 0.2],"
+    " point_b: [0.7, 0.8, 0.1], axis: [2, 1, 2]}\n",
 };
 enum { KINDS = sizeof kinds / sizeof *kinds };
-static const int rows[KINDS] = {3, 6, 4, 4, 5, 1, 6, 4};
+static const int rows[KINDS] = {3, 6, 4, 4, 5, 1, 6, 4, 1, 1};
 
 static maggi_model *model(int kind)
 {

@@ -119,6 +119,24 @@ static void test_strut(void)
   test_free(d, m);
 }
 
+/* a beam leans on a slope, which takes a force along its normal alone */
+static void test_slope(void)
+{
+  maggi_model *m = test_model("bodies:\n"
+                              "- {name: beam, mass: 6, bar: {from: [0, 0, 0], to: [4, 0, 0]},"
+                              " joint: {type: revolute, point: [0, 0, 0], axis: [0, 1, 0]}}\n"
+                              "loops: [{name: pad, type: point_plane, body_a: beam, body_b: ground,"
+                              " point: [4, 0, 0], axis: [2, 0, 2]}]\n");
+  maggi_data *d = test_start(m);
+  double w[BODIES][6], lambda;
+
+  reactions(d, w);
+  maggi_get_multipliers(d, &lambda);
+  CHECK_NEAR(lambda, -3 * g * sqrt(2.0), 1e-14, 0.0);
+  check_wrench(w[0], -3 * g, 0, 3 * g, 0, 0, 0);
+  test_free(d, m);
+}
+
 /* a table of three legs, welded to the ground by one and loosely standing on the others: the
  * forces of cut joints of each kind on what is welded; multipliers of points are forces on body_b
  * */
@@ -303,6 +321,7 @@ int main(void)
   test_beam(0.0);
   test_beam(1.5);
   test_strut();
+  test_slope();
   test_cuts();
   test_four_bar();
   test_joint_efforts();

@@ -4,23 +4,25 @@
 #include "fixture.h"
 
 typedef struct trace {
-  double *x; /* (steps x 3 coordinates) */
+  double *x; /* (steps x (3 coordinates + filters)) */
   long changes, between;
 } trace;
 
 /* takes steps from the present state; where `x` was, compares instead */
 static void follow(maggi_data *d, double h, int steps, trace *t, int is_again)
 {
-  int n = d->m->ncoordinate, k, same = 0;
-  double *x = calloc((size_t)n * 3 + 1, sizeof *x);
+  int n = d->m->ncoordinate, row = 3 * n + d->t.nfilter, k, same = 0;
+  size_t bytes = (size_t)row * sizeof(double);
+  double *x = malloc(bytes + 1);
 
   for (k = 0; k < steps; ++k) {
     CHECK(maggi_step(d, h) == MAGGI_OK);
     maggi_get_coordinates(d, x, x + n, x + 2 * n);
+    maggi_get_filters(d, x + 3 * n);
     if (!is_again)
-      memcpy(t->x + 3 * n * k, x, (size_t)n * 3 * sizeof *x);
+      memcpy(t->x + row * k, x, bytes);
     else
-      same += memcmp(t->x + 3 * n * k, x, (size_t)n * 3 * sizeof *x) == 0;
+      same += memcmp(t->x + row * k, x, bytes) == 0;
     t->between += d->is_ahead;
   }
   if (is_again) CHECK(same == steps);
@@ -36,7 +38,7 @@ static trace check_model(maggi_model *m, double h, int before, int after)
   trace t = {0}, again = {0};
 
   CHECK(size % sizeof(double) == 0);
-  t.x = calloc((size_t)(after * 3 * d->m->ncoordinate) + 1, sizeof(double));
+  t.x = calloc((size_t)(after * (3 * d->m->ncoordinate + d->t.nfilter)) + 1, sizeof(double));
   again.x = t.x;
   test_step(d, h, before);
   maggi_snapshot_save(d, memory);
@@ -78,6 +80,7 @@ int main(void)
   trace t;
 
   check_model(test_file("double-pendulum.yaml"), 0.01, 7, 20);
+  check_model(test_file("seat-shaker.yaml"), 0.002, 50, 100);
   t = check_model(test_file("rssr.yaml"), 0.002, 100, 400);
   CHECK(t.changes > 0);
   t = check_model(test_file("triple-pendulum-closed.yaml"), 0.002, 3, 300);

@@ -131,7 +131,7 @@ static void test_straight(void)
   maggi_model *m = cart();
   maggi_data *d = test_data(m);
   maggi_energy e;
-  double s[12], start, vx;
+  double s[48], start, vx;
 
   test_set(m, d, "bodies.chassis.joint.velocity.2", 0.0);
   CHECK(maggi_data_reset(d) == MAGGI_OK);
@@ -156,7 +156,7 @@ static void test_no_contact(void)
 {
   maggi_model *m = cart();
   maggi_data *d = test_data(m);
-  double s[12];
+  double s[48];
   int k;
 
   test_set(m, d, "roads.road.point.z", -0.5);
@@ -175,7 +175,7 @@ static void test_slope(void)
 {
   maggi_model *m = cart();
   maggi_data *d = test_data(m);
-  double s[12], slope = 0.1, c = 1.0 / sqrt(1.0 + slope * slope);
+  double s[48], slope = 0.1, c = 1.0 / sqrt(1.0 + slope * slope);
 
   maggi_data_reset(d);
   maggi_get_sensors(d, s);

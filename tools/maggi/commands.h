@@ -5,6 +5,8 @@
 int command_simulate(int argc, char **argv);
 int command_sensitivity(int argc, char **argv);
 int command_verify(int argc, char **argv);
+int command_equilibrium(int argc, char **argv);
+int command_modes(int argc, char **argv);
 int command_info(int argc, char **argv);
 int command_report(int argc, char **argv);
 int command_models(int argc, char **argv);

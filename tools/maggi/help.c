@@ -12,6 +12,9 @@ static const char help_general[] =
     "  maggi verify MODEL [options]     compare all methods for these gradients\n"
     "  maggi report RUN.csv ..          one page of tables and plots of one or more runs\n"
     "  maggi info MODEL [options]       bodies, loops, degrees of freedom, parameters\n"
+    "  maggi equilibrium MODEL [options]\n"
+    "                                   where a model stands still\n"
+    "  maggi modes MODEL [options]      frequencies and damping of small motions there\n"
     "  maggi models [--json]            the models that ship\n"
     "  maggi tyre FILE.tir [options]    forces of a tyre at given slips\n"
     "  maggi help [COMMAND]             this, or all about one command\n"
@@ -94,7 +97,8 @@ static const char help_simulate[] =
   "                       TYPE(SIGNAL), as in \"rms(tip.z)\", where SIGNAL is a column of\n"       \
   "                       maggi simulate --energy --reactions all (not energy.work and\n"          \
   "                       loops.*) and TYPE is integral, integral_square, mean,\n"                 \
-  "                       mean_square, rms, rmq, vdv, maximum, minimum, peak or terminal.\n"
+  "                       mean_square, rms, rmq, vdv, norm, violation, maximum, minimum,\n"        \
+  "                       peak or terminal.\n"
 
 static const char help_sensitivity[] =
     "maggi sensitivity MODEL [options]\n"
@@ -199,6 +203,8 @@ static const char help_report[] =
     "\n"
     "  --out PAGE.html      default RUN.html\n"
     "  --title TEXT         of the page; default: name of the model\n"
+    "  --width B            of the vehicle, m, for the lanes of ISO 3888-1 that a double lane\n"
+    "                       change is drawn in; default: over its tyres\n"
     "\n"
     "RUN.csv is written by maggi simulate --out.  What its columns are is read in RUN.csv.json\n"
     "beside it; without that the page has only what the names of the columns say.  Models with\n"
@@ -221,6 +227,30 @@ static const char help_info[] =
     "Prints the bodies with their joints as a tree, the loops with kind and number of\n"
     "equations, rank, degrees of freedom, independent coordinates, sensors, filters and their\n"
     "states, objectives, design parameters, and the parameters with path, value and unit.\n";
+
+static const char help_equilibrium[] =
+    "maggi equilibrium MODEL [options]\n"
+    "\n"
+    "  --set PATH=VALUE ..  change parameters, listed by maggi info MODEL --parameters\n"
+    "  --json               as one JSON object\n"
+    "\n"
+    "Prints where a model stands still that says start: {equilibrium: true}: positions of\n"
+    "coordinates, loads of wheels, lengths and forces of springs (tension positive), and\n"
+    "how it was found: iterations of Newton's method, and steps of a damped run where the\n"
+    "search began too far away.  Coordinates named in start: hold stay.\n";
+
+static const char help_modes[] =
+    "maggi modes MODEL [options]\n"
+    "\n"
+    "  --set PATH=VALUE ..  change parameters, listed by maggi info MODEL --parameters\n"
+    "  --json               as one JSON object\n"
+    "\n"
+    "Prints the modes of small motions about the equilibrium of maggi equilibrium, slowest\n"
+    "first: frequency without and with damping, damping ratio, and the coordinate with the\n"
+    "largest share of the kinetic energy.  A ratio of 1 or -1 is a mode that does not\n"
+    "oscillate.  Coordinates named in start: hold stay, wheels are vertical springs, and a\n"
+    "damper with other slopes in rebound than in compression counts with their mean at\n"
+    "rest.  Needs a build with GSL (MAGGI_WITH_GSL).\n";
 
 static const char help_models[] =
     "maggi models [--json]\n"
@@ -264,11 +294,18 @@ const char *help_text(const char *command)
   static const struct {
     const char *command;
     const char *text;
-  } page[] = {
-      {"", help_general},       {"simulate", help_simulate}, {"sensitivity", help_sensitivity},
-      {"verify", help_verify},  {"report", help_report},     {"info", help_info},
-      {"models", help_models},  {"tyre", help_tyre},         {"help", help_help},
-      {"version", help_version}};
+  } page[] = {{"", help_general},
+              {"simulate", help_simulate},
+              {"sensitivity", help_sensitivity},
+              {"verify", help_verify},
+              {"report", help_report},
+              {"info", help_info},
+              {"models", help_models},
+              {"tyre", help_tyre},
+              {"help", help_help},
+              {"version", help_version},
+              {"equilibrium", help_equilibrium},
+              {"modes", help_modes}};
   size_t i;
 
   for (i = 0; i < sizeof page / sizeof page[0]; ++i)

@@ -13,10 +13,11 @@
 #include "page.h"
 #include "script.h"
 
-enum { OUT, TITLE };
+enum { OUT, TITLE, WIDTH };
 
 static const option_def page_options[] = {[OUT] = {"--out", OPTION_VALUE, "a file name"},
                                           [TITLE] = {"--title", OPTION_VALUE, "a text"},
+                                          [WIDTH] = {"--width", OPTION_VALUE, "a length in meters"},
                                           {NULL, OPTION_FLAG, NULL}};
 
 int page_check(const char *out)
@@ -24,9 +25,10 @@ int page_check(const char *out)
   return script_check(&script_report, out);
 }
 
-int page_draw(int n, const char *const *table, const char *out, const char *title)
+int page_draw(int n, const char *const *table, const char *out, const char *title,
+              const char *width)
 {
-  const char **argument = calloc((size_t)n + 8, sizeof *argument);
+  const char **argument = calloc((size_t)n + 10, sizeof *argument);
   char *self = realpath("/proc/self/exe", NULL);
   int i, k = 0, status;
 
@@ -38,6 +40,8 @@ int page_draw(int n, const char *const *table, const char *out, const char *titl
   if (out) argument[k++] = out;
   if (title) argument[k++] = "--title";
   if (title) argument[k++] = title;
+  if (width) argument[k++] = "--width";
+  if (width) argument[k++] = width;
   if (self) argument[k++] = "--maggi";
   if (self) argument[k++] = self;
   argument[k++] = "--";
@@ -51,7 +55,8 @@ int page_draw(int n, const char *const *table, const char *out, const char *titl
 int command_report(int argc, char **argv)
 {
   const char **table = calloc((size_t)argc + 1, sizeof *table);
-  const char *out = NULL, *title = NULL;
+  const char *out = NULL, *title = NULL, *width = NULL;
+  double meters;
   options o;
   int id, n = 0, status = STATUS_DONE;
 
@@ -67,7 +72,10 @@ int command_report(int argc, char **argv)
       status = options_file("--out", o.value, &out) ? STATUS_USAGE : STATUS_DONE;
     else if (id == TITLE)
       title = o.value;
-    else if (id == OPTIONS_ARGUMENT && o.value[0] != '\0')
+    else if (id == WIDTH) {
+      width = o.value;
+      status = options_positive("--width", width, &meters) ? STATUS_USAGE : STATUS_DONE;
+    } else if (id == OPTIONS_ARGUMENT && o.value[0] != '\0')
       table[n++] = o.value;
     else if (id == OPTIONS_ARGUMENT)
       status = message_fail(STATUS_USAGE, "report: RUN.csv is empty");
@@ -77,7 +85,7 @@ int command_report(int argc, char **argv)
   if (status == STATUS_DONE && n == 0)
     status = message_fail(STATUS_USAGE, "report: no RUN.csv given");
   interrupt_catch();
-  if (status == STATUS_DONE) status = page_draw(n, table, out, title);
+  if (status == STATUS_DONE) status = page_draw(n, table, out, title, width);
   free(table);
   return status;
 }

@@ -1,5 +1,7 @@
 /* The record of a run. */
-#define _POSIX_C_SOURCE 200809L /* gmtime_r */
+#ifndef _XOPEN_SOURCE
+#define _XOPEN_SOURCE 700 /* gmtime_r, realpath */
+#endif
 #include "record.h"
 
 #include <stdlib.h>
@@ -147,6 +149,15 @@ static void write_model(json *j, const run *what)
   json_close_object(j);
 }
 
+/* of the model file, from the root on; null for a generated model */
+static void write_path(json *j, const char *path)
+{
+  char *whole = path[0] ? realpath(path, NULL) : NULL;
+
+  json_string(j, "path", whole ? whole : path[0] ? path : NULL);
+  free(whole);
+}
+
 static void write_all(const record *r, const run *what, json *j)
 {
   char date[32];
@@ -161,12 +172,12 @@ static void write_all(const record *r, const run *what, json *j)
     json_string(j, "date", date);
   json_string(j, "command", r->command);
   json_string(j, "file", r->model);
-  json_string(j, "path", r->path[0] ? r->path : NULL);
+  write_path(j, r->path);
   write_settings(j, r->set);
   json_integer(j, "every", what->every);
   if (r->tolerance > 0.0) json_number(j, "tolerance", r->tolerance);
   json_open_object(j, "run");
-  summary_members(what, what->rows->table.name, j);
+  summary_members(what, r->out, j);
   json_close_object(j);
   write_columns(j, what->rows);
   write_model(j, what);

@@ -9,6 +9,7 @@ typedef struct record {
   char *command;     /* the command line, as for a shell */
   const char *model; /* as the user named it             */
   const char *path;  /* file it was read from, or ""     */
+  const char *out;   /* the table, NULL: it will not stay */
   const settings *set;
   double tolerance; /* 0: not given */
   table table;      /* where it is written; table.file NULL: nowhere */

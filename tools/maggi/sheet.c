@@ -2,6 +2,7 @@
 #include "sheet.h"
 
 #include <fnmatch.h>
+#include <string.h>
 
 #include "tree.h"
 
@@ -81,7 +82,7 @@ static void json_sensors(json *j, const subject *s)
 
   json_open_array(j, "sensors");
   for (i = 0; i < s->info.sensor_columns; ++i) {
-    d = maggi_model_sensor(s->model, i / 3);
+    d = maggi_model_sensor(s->model, i);
     json_open_object(j, NULL);
     json_string(j, "name", maggi_sensor_column_name(s->model, i));
     json_string(j, "unit", maggi_sensor_column_unit(s->model, i));
@@ -125,6 +126,24 @@ static void json_wheels(json *j, const subject *s)
     json_string(j, "road", d->road);
     json_string(j, "side", d->side == MAGGI_LEFT ? "left" : "right");
     json_point(j, "point", d->point);
+    json_close_object(j);
+  }
+  json_close_array(j);
+}
+
+static void json_forces(json *j, const subject *s)
+{
+  const maggi_force_def *d;
+  int i;
+
+  json_open_array(j, "forces");
+  for (i = 0; (d = maggi_model_force(s->model, i)) != NULL; ++i) {
+    json_open_object(j, NULL);
+    json_string(j, "name", d->name);
+    json_string(j, "type", maggi_force_type_name(d->type));
+    if (d->body) json_string(j, "body", d->body);
+    if (d->coordinate) json_string(j, "coordinate", d->coordinate);
+    if (d->function) json_string(j, "function", d->function);
     json_close_object(j);
   }
   json_close_array(j);
@@ -195,6 +214,7 @@ void sheet_json(json *j, const subject *s)
   json_sensors(j, s);
   json_filters(j, s);
   json_wheels(j, s);
+  json_forces(j, s);
   json_kinds(j, s, "roads", maggi_model_road);
   json_kinds(j, s, "functions", maggi_model_function);
   json_declared(j, s, "objectives", maggi_model_objective);

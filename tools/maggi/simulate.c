@@ -233,6 +233,7 @@ static int simulate_model(const request *want, record *log)
   if (status != STATUS_DONE) return status;
   log->model = want->model;
   log->path = path;
+  log->out = want->temporary[0] ? NULL : want->out;
   log->set = &want->set;
   log->tolerance = want->tolerance;
   memset(&r, 0, sizeof r);
@@ -286,7 +287,7 @@ static int simulate_report(request *want, record *log)
   if (status == STATUS_DONE && !want->out) status = make_temporary(want);
   if (status == STATUS_DONE) status = simulate_model(want, log);
   if (status == STATUS_DONE)
-    status = page_draw(1, (const char *const *)&want->out, want->report, NULL);
+    status = page_draw(1, (const char *const *)&want->out, want->report, NULL, NULL);
   remove_temporary(want);
   return status;
 }

@@ -147,6 +147,8 @@ typedef struct maggi_point_mass_def {
  *   universal    points coincide, axis_a (in body_a) keeps its angle to axis_b  4
  *   cylindrical  the two axes stay on one line                                  4
  *   prismatic    and do not turn about it                                       5
+ *   point_plane  point_a stays in the plane of body_b through point_b whose
+ *                normal is axis_b                                               1
  *
  * A prismatic loop whose axes differ in the file takes the turn about them from the smallest turn that
  * brings one onto the other.
@@ -154,7 +156,7 @@ typedef struct maggi_point_mass_def {
  * share point_a and axis_a (universal always needs axis_b).  When has_b is true and the two sides
  * differ, the model is assembled when a simulation starts.
  * Paths: loops.NAME.point.x, .axis.x; with has_b loops.NAME.point_a.x, .point_b.x, .axis_a.x, ..
- * A universal loop has axis_a and axis_b in either case.
+ * A universal loop has axis_a and axis_b in either case, point_plane one, axis.
  */
 typedef enum maggi_loop_type {
   MAGGI_LOOP_SPHERICAL,
@@ -162,6 +164,7 @@ typedef enum maggi_loop_type {
   MAGGI_LOOP_UNIVERSAL,
   MAGGI_LOOP_CYLINDRICAL,
   MAGGI_LOOP_PRISMATIC,
+  MAGGI_LOOP_POINT_PLANE,
   MAGGI_LOOP_TYPE_COUNT
 } maggi_loop_type;
 
@@ -528,7 +531,7 @@ typedef struct maggi_function_def {
   const double *values;
 } maggi_function_def;
 
-/* A sensor writes three columns:
+/* A sensor writes three columns, a combination one:
  *
  *   position, velocity, acceleration  NAME.x NAME.y NAME.z of a body point [m, m/s, m/s^2], global axes
  *   angles                NAME.roll NAME.pitch NAME.yaw [rad] of R = Rz(yaw) Ry(pitch) Rx(roll), the
@@ -552,10 +555,28 @@ typedef struct maggi_function_def {
  *                         positive while more slip still gives more force (PKY1 < 0);
  *                         NAME.utilisation [-]: sqrt((Fx / Dx)^2 + (Fy / Dy)^2), D the peaks of pure
  *                         slip at this load and camber.  All 0 in the air
+ *   lateral_acceleration  of a body point with velocity v and acceleration a [m/s^2], [1] 3.19-3.21:
+ *                         NAME.exact        |a - (a.v / v.v) v|, what is across the path in space
+ *                         NAME.planar       (v_x a_y - v_y a_x) / |(v_x, v_y)|, positive to the left
+ *                         NAME.approximate  |(a_x, a_y)|
+ *   sideslip              of a body point: NAME.angle [rad] of its velocity in level axes, positive to
+ *                         the left; NAME.speed [m/s], horizontal; NAME.curvature [1/m] of its path
+ *                         seen from above, positive to the left
+ *   level_velocity, level_acceleration  NAME.x NAME.y NAME.z of a body point [m/s, m/s^2] in level axes:
+ *                         global axes turned by the yaw of the body alone, x its forward axis where that
+ *                         is global x in the drawing (the intermediate axes of ISO 8855)
+ *   body_acceleration     NAME.x NAME.y NAME.z of a body point [m/s^2] in axes of the body
+ *   combination           NAME.value, the sum of weights times columns of sensors that stand before it
+ *
+ * Accelerations are those of the motion: nothing is added for gravity.  Level axes have no numbers where
+ * pitch is a right angle.  At rest there is no path: with low = low_speed, v.v is v.v + low^2 where it
+ * divides, so that the columns of lateral_acceleration are |a|, 0 and |(a_x, a_y)| there and those of
+ * sideslip 0; |n|, an acceleration, is n.n / sqrt(n.n + low_acceleration^2).  So all have derivatives, and
+ * are exact but for (low / what is measured)^2.
  *
  * at_cog: the point is the centre of gravity of the body as its `cog` says, or the middle of its bar;
  * then `point` is no parameter.
- * Paths: sensors.NAME.point.x ..
+ * Paths: sensors.NAME.point.x .., .low_speed, .low_acceleration, .weights.1 ..
  */
 typedef enum maggi_sensor_type {
   MAGGI_SENSOR_POSITION,
@@ -573,16 +594,27 @@ typedef enum maggi_sensor_type {
   MAGGI_SENSOR_TYRE_MOMENT,
   MAGGI_SENSOR_TYRE_CONTACT,
   MAGGI_SENSOR_TYRE_SLOPE,
+  MAGGI_SENSOR_LATERAL_ACCELERATION,
+  MAGGI_SENSOR_SIDESLIP,
+  MAGGI_SENSOR_LEVEL_VELOCITY,
+  MAGGI_SENSOR_LEVEL_ACCELERATION,
+  MAGGI_SENSOR_BODY_ACCELERATION,
+  MAGGI_SENSOR_COMBINATION,
   MAGGI_SENSOR_TYPE_COUNT
 } maggi_sensor_type;
 
 typedef struct maggi_sensor_def {
   const char *name;
   maggi_sensor_type type;
-  const char *body;    /* not of springs and rods */
-  double point[3];     /* of position, velocity, acceleration */
-  int at_cog;          /* true: instead of `point` */
-  const char *element; /* name of the spring, rod or wheel */
+  const char *body;                   /* not of springs, rods, wheels and combinations */
+  double point[3];                    /* of what is said above to be of a point */
+  int at_cog;                         /* true: instead of `point` */
+  const char *element;                /* name of the spring, rod or wheel */
+  double low_speed, low_acceleration; /* positive [m/s, m/s^2]; 1e-3 */
+  int nterm;                          /* of a combination */
+  const char *const *terms;           /* names of columns (nterm) */
+  const double *weights;              /* (nterm); NULL: 1 */
+  const char *unit;                   /* NULL: that of all terms, "-" where they differ */
 } maggi_sensor_def;
 
 /* A filter weights a column of a sensor by frequency, as people feel vibration: a system of first order
@@ -793,7 +825,7 @@ maggi_status maggi_model_multiple_four_bar(int ny, int nz, maggi_model **model);
  *   loops            cut joints and rods
  *   loop_equations   their equations
  *   parameters       length of p
- *   sensor_columns   three for each sensor
+ *   sensor_columns   of all sensors
  *   filters, filter_states
  */
 typedef struct maggi_model_info {
@@ -826,6 +858,8 @@ int maggi_coordinate_is_angle(const maggi_model *m, int coordinate); /* else a l
 const char *maggi_loop_name(const maggi_model *m, int loop);
 const char *maggi_loop_kind(const maggi_model *m, int loop); /* "revolute", .., "rod" */
 int maggi_loop_rows(const maggi_model *m, int loop);
+const char *maggi_spring_name(const maggi_model *m, int spring);
+const char *maggi_wheel_name(const maggi_model *m, int wheel);
 const char *maggi_sensor_column_name(const maggi_model *m, int column);
 const char *maggi_sensor_column_unit(const maggi_model *m, int column);
 const char *maggi_coordinate_motion(const maggi_model *m, int coordinate); /* function, or NULL */
@@ -836,11 +870,12 @@ const char *maggi_filter_column_unit(const maggi_model *m, int filter);
 int maggi_body_find(const maggi_model *m, const char *name);       /* -1: none */
 int maggi_coordinate_find(const maggi_model *m, const char *name); /* -1: none */
 
-/* Sensors and wheels as they were defined, in the order of the file: strings are owned by the model,
- * numbers are those of the file.  A sensor has the columns 3 index .. 3 index + 2.  NULL outside the
- * range.  since 0.5 */
-const maggi_sensor_def *maggi_model_sensor(const maggi_model *m, int index);
+/* Sensors, wheels and forces as they were defined, in the order of the file, the sensor being that of a
+ * column: strings are owned by the model, numbers of sensors and wheels are those of the file; forces
+ * without numbers, none with arrays.  NULL outside the range.  since 0.5 */
+const maggi_sensor_def *maggi_model_sensor(const maggi_model *m, int column);
 const maggi_wheel_def *maggi_model_wheel(const maggi_model *m, int index);
+const maggi_force_def *maggi_model_force(const maggi_model *m, int index);
 
 /* Parameters: path, unit and default value of the entry `index` of p; path is NULL and value NAN
  * outside the range.  find returns -1 for an unknown path. */
@@ -882,13 +917,56 @@ maggi_status maggi_data_set_tolerance(maggi_data *d, double tolerance);
  * independent coordinates, completion of the velocities, one evaluation.  Filters start at rest.
  *
  * Given positions and velocities are honoured exactly; independent coordinates that are not given
- * start at their file position and at rest.
+ * start at their file position and at rest.  Where the model asks for it (maggi_start_def) positions are
+ * those of static equilibrium, found by Newton's method with the exact Jacobian, and wheels roll.
  *
- * status     MAGGI_OK; MAGGI_E_VALUE (a zero axis, ..); MAGGI_E_ASSEMBLY; MAGGI_E_MASS;
- *            MAGGI_E_NOT_FINITE; text in maggi_data_message
+ * status     MAGGI_OK; MAGGI_E_VALUE (a zero axis, ..); MAGGI_E_ASSEMBLY, also where no equilibrium is
+ *            found; MAGGI_E_MASS; MAGGI_E_NOT_FINITE; text in maggi_data_message
  * since      0.1
  */
 maggi_status maggi_data_reset(maggi_data *d);
+
+/* Static equilibrium, from which a reset starts where the model asks for it (maggi_start_def): after a
+ * reset, of the parameters then.
+ *
+ *   coordinates   independent ones: not held, not guided, not made dependent by loops
+ *   iterations    of Newton's method
+ *   damped        steps of the damped run that led there, 0: it was not needed
+ *   residual      largest acceleration that is left [m/s^2, rad/s^2]
+ *
+ * springs           length [m] and force [N] of springs, tension positive, in their order
+ * wheels            force that the road exerts on wheels along its normal [N]
+ * status            MAGGI_OK; MAGGI_E_MODEL where no reset has found an equilibrium
+ * since             0.5
+ */
+typedef struct maggi_equilibrium_state {
+  int coordinates;
+  int iterations;
+  int damped;
+  double residual;
+} maggi_equilibrium_state;
+maggi_status maggi_get_equilibrium(const maggi_data *d, maggi_equilibrium_state *state);
+maggi_status maggi_equilibrium_get_springs(const maggi_data *d, double *length, double *force);
+maggi_status maggi_equilibrium_get_wheels(const maggi_data *d, double *load);
+
+/* Small motions about static equilibrium, of what its search moves (n coordinates, see above):
+ *
+ *   y'' = a_q y + a_v y',   positions of all coordinates = those of equilibrium + shape y,
+ *   kinetic energy y'^T mass y' / 2
+ *
+ * in    rate   of coordinates [m/s, rad/s], small: a_v is the mean of the derivatives at velocities of
+ *              about +rate and -rate, so that a damper with other slopes in rebound than in compression
+ *              counts with their mean
+ * out   coordinate   which they are                (n)
+ *       a_q, a_v     in m, rad and s               (n x n)
+ *       mass         in kg, m, rad                 (n x n)
+ *       shape                                      (coordinates x n)       NULL: not wanted
+ *
+ * status     MAGGI_OK; MAGGI_E_MODEL where no reset has found an equilibrium; MAGGI_E_MEMORY
+ * since      0.5
+ */
+maggi_status maggi_equilibrium_motions(maggi_data *d, double rate, int *coordinate, double *a_q,
+                                       double *a_v, double *mass, double *shape);
 
 /* Put the simulation at a given time and state: loops are closed by moving the dependent
  * coordinates, dependent velocities follow from the independent ones.  Filters are at rest.  Replaces a
