@@ -71,8 +71,11 @@ static void accelerate(maggi_data *d)
                         d->gam, d->v1, d->y1, d->ab, d->space);
     maggi_accelerations(t, ARRAY(d->b), ARRAY(d->Z0), d->ab, d->W, d->Zb);
   }
+  if (t->nwheel > 0)
+    maggi_wheel_forces(t, d->p, ARRAY(d->spline0), ARRAY(d->A), ARRAY(d->Z), ARRAY(d->r),
+                       ARRAY(d->rv), d->slip, d->grip, d->roll);
   maggi_element_forces(t, d->p, ARRAY(d->fun), d->spring0, d->q, d->v, ARRAY(d->A), ARRAY(d->Z),
-                       ARRAY(d->r), ARRAY(d->rv), d->Q, d->tau, d->power);
+                       ARRAY(d->r), ARRAY(d->rv), ARRAY(d->roll), d->Q, d->tau, d->power);
   maggi_control_forces(t, d->p, ARRAY(d->fun), ARRAY(d->path0), d->q, d->v, ARRAY(d->r),
                        ARRAY(d->rv), d->driver, d->speed, d->tau, d->power);
   maggi_body_inertias(t, ARRAY(d->body0), ARRAY(d->A), ARRAY(d->x), d->I);
@@ -126,8 +129,11 @@ void maggi_evaluate_given(maggi_data *d, double time)
   }
   maggi_velocities(t, d->p, ARRAY(d->b), d->v, d->Z, d->Z0);
   maggi_point_velocities(t, 0, t->npointdyn, ARRAY(d->r), ARRAY(d->Z), d->rv);
+  if (t->nwheel > 0)
+    maggi_wheel_forces(t, d->p, ARRAY(d->spline0), ARRAY(d->A), ARRAY(d->Z), ARRAY(d->r),
+                       ARRAY(d->rv), d->slip, d->grip, d->roll);
   maggi_element_forces(t, d->p, ARRAY(d->fun), d->spring0, d->q, d->v, ARRAY(d->A), ARRAY(d->Z),
-                       ARRAY(d->r), ARRAY(d->rv), d->Q, d->tau, d->power);
+                       ARRAY(d->r), ARRAY(d->rv), ARRAY(d->roll), d->Q, d->tau, d->power);
   maggi_control_forces(t, d->p, ARRAY(d->fun), ARRAY(d->path0), d->q, d->v, ARRAY(d->r),
                        ARRAY(d->rv), d->driver, d->speed, d->tau, d->power);
   maggi_body_inertias(t, ARRAY(d->body0), ARRAY(d->A), ARRAY(d->x), d->I);
@@ -185,7 +191,7 @@ static void sense(maggi_data *d)
                             ARRAY(d->Za), d->ra);
   maggi_sensors(t, d->p, d->origin, d->spring0, d->q, d->v, ARRAY(d->A), ARRAY(d->x), ARRAY(d->r),
                 ARRAY(d->Z), ARRAY(d->rv), ARRAY(d->Za), ARRAY(d->ra), ARRAY(d->driver),
-                ARRAY(d->speed), d->lambda, d->sensor);
+                ARRAY(d->speed), d->lambda, ARRAY(d->slip), ARRAY(d->grip), d->sensor);
 }
 
 void maggi_results(maggi_data *d)

@@ -22,6 +22,9 @@ static const titles columns_of[MAGGI_SENSOR_TYPE_COUNT] = {
     [MAGGI_SENSOR_TYRE_SLIP] = {{"kappa", "alpha", "gamma"}, {"-", "rad", "rad"}},
     [MAGGI_SENSOR_TYRE_FORCE] = {{"fx", "fy", "fz"}, {"N", "N", "N"}},
     [MAGGI_SENSOR_TYRE_MOMENT] = {{"mx", "my", "mz"}, {"N m", "N m", "N m"}},
+    [MAGGI_SENSOR_TYRE_CONTACT] = {{"deflection", "loaded_radius", "rolling_radius"},
+                                   {"m", "m", "m"}},
+    [MAGGI_SENSOR_TYRE_SLOPE] = {{"dfy_dalpha", "dfx_dkappa", "utilisation"}, {"N/rad", "N", "-"}},
     [MAGGI_SENSOR_LATERAL_ACCELERATION] = {{"exact", "planar", "approximate"},
                                            {"m/s^2", "m/s^2", "m/s^2"}},
     [MAGGI_SENSOR_SIDESLIP] = {{"angle", "speed", "curvature"}, {"rad", "m/s", "1/m"}},
@@ -99,7 +102,7 @@ static maggi_status find_element(maggi_compile *c, const maggi_sensor_def *d, in
   } else if (d->type == MAGGI_SENSOR_SPEED) {
     what = "controller of speed";
     find_speed(c, d, element);
-  } else if (d->type >= MAGGI_SENSOR_TYRE_SLIP) {
+  } else if (d->type >= MAGGI_SENSOR_TYRE_SLIP && d->type <= MAGGI_SENSOR_TYRE_SLOPE) {
     what = "wheel";
     FIND(c->b->wheel, c->b->nwheel, element)
   } else {

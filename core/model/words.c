@@ -25,6 +25,8 @@ static const char *const sensor_words[] = {"position",
                                            "tyre_slip",
                                            "tyre_force",
                                            "tyre_moment",
+                                           "tyre_contact",
+                                           "tyre_slope",
                                            "lateral_acceleration",
                                            "sideslip",
                                            "level_velocity",
@@ -33,8 +35,8 @@ static const char *const sensor_words[] = {"position",
                                            "combination",
                                            "speed_controller",
                                            "driver"};
+static const char *const road_words[] = {"flat", "sine", "bumps", "profile"};
 static const char *const weighting_words[] = {"Wk", "Wd", "Wf", "Wc", "We", "Wj", "Wb", "Wg"};
-static const char *const road_words[] = {"flat", "sine"};
 static const char *const objective_words[] = {"integral",
                                               "integral_square",
                                               "mean",

@@ -46,22 +46,10 @@ maggi_status maggi_equilibrium_get_springs(const maggi_data *d, double *length, 
 maggi_status maggi_equilibrium_get_wheels(const maggi_data *d, double *load)
 {
   const maggi_equilibrium *e = found(d);
-  const maggi_data *x;
-  const maggi_topo *t;
-  double slip[5], f[6], arm[3], T[3], L[3], N[3];
-  int i, road;
+  int i;
 
   if (!e) return MAGGI_E_MODEL;
-  x = e->x;
-  t = &x->t;
-  for (i = 0; i < t->nwheel; ++i) {
-    road = t->wheelroad[i];
-    maggi_wheel(t->wheelaxis[i], t->tyreadr[t->wheeltyre[i]], t->wheelmirror[i], t->wheelgrip[i],
-                t->roadkind[road], t->roadadr[road], t->np, x->p, x->A[t->wheelbody[i]],
-                x->Z[t->wheelbody[i]], x->Z[t->wheelcarrier[i]], x->r[t->wheelpoint[i]],
-                x->rv[t->wheelpoint[i]], x->r[t->roadpoint[road]], slip, f, arm, T, L, N);
-    load[i] = f[2];
-  }
+  for (i = 0; i < e->x->t.nwheel; ++i) load[i] = e->x->grip[i][2];
   return MAGGI_OK;
 }
 

@@ -46,8 +46,10 @@ STAGE(loop_gamma, WITH(prim0), WITH(r), WITH(dir), WITH(rv), WITH(ra), WITH(Z), 
       WITH(gama))
 
 /* forces */
-STAGE(element_forces, WITH(p), WITH(fun), WITH(spring0), WITH(q), WITH(v), WITH(A), WITH(Z),
-      WITH(r), WITH(rv), WITH(Q), WITH(tau), D->power)
+STAGE(wheel_forces, WITH(p), WITH(spline0), WITH(A), WITH(Z), WITH(r), WITH(rv), WITH(slip),
+      WITH(grip), WITH(roll))
+STAGE(element_forces, WITH(p), WITH(fun), WITH(spring0), WITH(q), WITH(v), WITH(A), (void *)d->Z,
+      WITH(r), WITH(rv), WITH(roll), WITH(Q), WITH(tau), D->power)
 STAGE(control_forces, WITH(p), WITH(fun), WITH(path0), WITH(q), WITH(v), WITH(r), WITH(rv),
       WITH(driver), WITH(speed), WITH(tau), D->power)
 STAGE(body_inertias, WITH(body0), WITH(A), WITH(x), WITH(I))
@@ -58,7 +60,7 @@ STAGE(accumulate, WITH(Fr), WITH(Q), WITH(FSr))
 STAGE(generalised_forces, WITH(b), WITH(FSr), WITH(tau), WITH(w))
 
 /* initial velocities */
-STAGE(rolling, WITH(p), WITH(A), WITH(b), WITH(r), WITH(Z), WITH(spin))
+STAGE(rolling, WITH(p), WITH(spline0), WITH(A), WITH(b), WITH(r), WITH(Z), WITH(spin))
 
 /* results */
 STAGE(reactions, WITH(x), WITH(FSr), WITH(wrench))
@@ -67,7 +69,8 @@ CALL(sensor_velocities, point_velocities, t->npointdyn, t->npoint, WITH(r), WITH
 CALL(sensor_accelerations, point_accelerations, t->npointdyn, t->npoint, WITH(r), WITH(rv), WITH(Z),
      WITH(Za), WITH(ra))
 STAGE(sensors, WITH(p), d->origin, WITH(spring0), WITH(q), WITH(v), WITH(A), WITH(x), WITH(r),
-      WITH(Z), WITH(rv), WITH(Za), WITH(ra), WITH(driver), WITH(speed), WITH(lambda), WITH(sensor))
+      WITH(Z), WITH(rv), WITH(Za), WITH(ra), WITH(driver), WITH(speed), WITH(lambda), WITH(slip),
+      WITH(grip), WITH(sensor))
 STAGE(filter_rates, WITH(p), WITH(sensor), WITH(y), WITH(yrate))
 STAGE(filter_outputs, WITH(p), WITH(y), WITH(weighted))
 STAGE(kinetic_energy, WITH(p), WITH(I), WITH(Z), WITH(rv), WITH(kinetic))

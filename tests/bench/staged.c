@@ -62,35 +62,36 @@ static void enter(int function)
 }
 
 /* a macro is not expanded again inside itself, so the call remains */
-#define HOOK(function, ...) (enter(STAGED_##function), function(__VA_ARGS__))
-#define maggi_functions(...) HOOK(maggi_functions, __VA_ARGS__)
-#define maggi_positions(...) HOOK(maggi_positions, __VA_ARGS__)
-#define maggi_points(...) HOOK(maggi_points, __VA_ARGS__)
-#define maggi_directions(...) HOOK(maggi_directions, __VA_ARGS__)
-#define maggi_loop_residual(...) HOOK(maggi_loop_residual, __VA_ARGS__)
-#define maggi_loop_entries(...) HOOK(maggi_loop_entries, __VA_ARGS__)
-#define maggi_island_factors(...) HOOK(maggi_island_factors, __VA_ARGS__)
-#define maggi_island_columns(...) HOOK(maggi_island_columns, __VA_ARGS__)
-#define maggi_loop_gamma(...) HOOK(maggi_loop_gamma, __VA_ARGS__)
-#define maggi_island_vector(...) HOOK(maggi_island_vector, __VA_ARGS__)
-#define maggi_velocities(...) HOOK(maggi_velocities, __VA_ARGS__)
-#define maggi_point_velocities(...) HOOK(maggi_point_velocities, __VA_ARGS__)
+#define HOOK(function, ...)            (enter(STAGED_##function), function(__VA_ARGS__))
+#define maggi_functions(...)           HOOK(maggi_functions, __VA_ARGS__)
+#define maggi_positions(...)           HOOK(maggi_positions, __VA_ARGS__)
+#define maggi_points(...)              HOOK(maggi_points, __VA_ARGS__)
+#define maggi_directions(...)          HOOK(maggi_directions, __VA_ARGS__)
+#define maggi_loop_residual(...)       HOOK(maggi_loop_residual, __VA_ARGS__)
+#define maggi_loop_entries(...)        HOOK(maggi_loop_entries, __VA_ARGS__)
+#define maggi_island_factors(...)      HOOK(maggi_island_factors, __VA_ARGS__)
+#define maggi_island_columns(...)      HOOK(maggi_island_columns, __VA_ARGS__)
+#define maggi_loop_gamma(...)          HOOK(maggi_loop_gamma, __VA_ARGS__)
+#define maggi_island_vector(...)       HOOK(maggi_island_vector, __VA_ARGS__)
+#define maggi_velocities(...)          HOOK(maggi_velocities, __VA_ARGS__)
+#define maggi_point_velocities(...)    HOOK(maggi_point_velocities, __VA_ARGS__)
 #define maggi_point_accelerations(...) HOOK(maggi_point_accelerations, __VA_ARGS__)
-#define maggi_accelerations(...) HOOK(maggi_accelerations, __VA_ARGS__)
-#define maggi_element_forces(...) HOOK(maggi_element_forces, __VA_ARGS__)
-#define maggi_body_inertias(...) HOOK(maggi_body_inertias, __VA_ARGS__)
-#define maggi_inertia_forces(...) HOOK(maggi_inertia_forces, __VA_ARGS__)
-#define maggi_rod_forces(...) HOOK(maggi_rod_forces, __VA_ARGS__)
-#define maggi_accumulate(...) HOOK(maggi_accumulate, __VA_ARGS__)
-#define maggi_composite_inertias(...) HOOK(maggi_composite_inertias, __VA_ARGS__)
-#define maggi_mass_matrix(...) HOOK(maggi_mass_matrix, __VA_ARGS__)
-#define maggi_reduced_mass(...) HOOK(maggi_reduced_mass, __VA_ARGS__)
-#define maggi_generalised_forces(...) HOOK(maggi_generalised_forces, __VA_ARGS__)
-#define maggi_reduced_force(...) HOOK(maggi_reduced_force, __VA_ARGS__)
-#define maggi_factor_mass(...) HOOK(maggi_factor_mass, __VA_ARGS__)
-#define maggi_solve_mass(...) HOOK(maggi_solve_mass, __VA_ARGS__)
-#define maggi_expand(...) HOOK(maggi_expand, __VA_ARGS__)
-#define maggi_drives(...) HOOK(maggi_drives, __VA_ARGS__)
+#define maggi_accelerations(...)       HOOK(maggi_accelerations, __VA_ARGS__)
+#define maggi_wheel_forces(...)        HOOK(maggi_wheel_forces, __VA_ARGS__)
+#define maggi_element_forces(...)      HOOK(maggi_element_forces, __VA_ARGS__)
+#define maggi_body_inertias(...)       HOOK(maggi_body_inertias, __VA_ARGS__)
+#define maggi_inertia_forces(...)      HOOK(maggi_inertia_forces, __VA_ARGS__)
+#define maggi_rod_forces(...)          HOOK(maggi_rod_forces, __VA_ARGS__)
+#define maggi_accumulate(...)          HOOK(maggi_accumulate, __VA_ARGS__)
+#define maggi_composite_inertias(...)  HOOK(maggi_composite_inertias, __VA_ARGS__)
+#define maggi_mass_matrix(...)         HOOK(maggi_mass_matrix, __VA_ARGS__)
+#define maggi_reduced_mass(...)        HOOK(maggi_reduced_mass, __VA_ARGS__)
+#define maggi_generalised_forces(...)  HOOK(maggi_generalised_forces, __VA_ARGS__)
+#define maggi_reduced_force(...)       HOOK(maggi_reduced_force, __VA_ARGS__)
+#define maggi_factor_mass(...)         HOOK(maggi_factor_mass, __VA_ARGS__)
+#define maggi_solve_mass(...)          HOOK(maggi_solve_mass, __VA_ARGS__)
+#define maggi_expand(...)              HOOK(maggi_expand, __VA_ARGS__)
+#define maggi_drives(...)              HOOK(maggi_drives, __VA_ARGS__)
 
 #include "evaluate.c"
 
@@ -130,10 +131,8 @@ double staged_overhead(void)
   before = ticks();
   for (k = 0; k < 20; ++k) {
     begin = ticks();
-    for (i = 0; i < 1000; ++i)
-      enter(STAGED_outside);
-    if (best < 0 || ticks() - begin < best)
-      best = ticks() - begin;
+    for (i = 0; i < 1000; ++i) enter(STAGED_outside);
+    if (best < 0 || ticks() - begin < best) best = ticks() - begin;
   }
   return (double)best / 1000.0;
 }

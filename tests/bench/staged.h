@@ -13,34 +13,35 @@
 
 /* kernel function, stage; a function not listed counts with the one before it */
 #define STAGED_LIST(X)                                                                             \
-  X(outside, "outside")                                                                           \
-  X(maggi_functions, "positions")                                                                 \
-  X(maggi_positions, "positions")                                                                 \
-  X(maggi_points, "positions")                                                                    \
-  X(maggi_directions, "positions")                                                                \
-  X(maggi_loop_residual, "loops")                                                                 \
-  X(maggi_loop_entries, "loops")                                                                  \
-  X(maggi_island_factors, "loops")                                                                \
-  X(maggi_island_columns, "loops")                                                                \
-  X(maggi_loop_gamma, "loops")                                                                    \
-  X(maggi_island_vector, "loops")                                                                 \
-  X(maggi_velocities, "velocities")                                                               \
-  X(maggi_point_velocities, "velocities")                                                         \
-  X(maggi_point_accelerations, "velocities")                                                      \
-  X(maggi_accelerations, "velocities")                                                            \
-  X(maggi_element_forces, "inertias")                                                             \
-  X(maggi_body_inertias, "inertias")                                                              \
-  X(maggi_inertia_forces, "inertias")                                                             \
-  X(maggi_rod_forces, "inertias")                                                                 \
-  X(maggi_accumulate, "inertias")                                                                 \
-  X(maggi_composite_inertias, "inertias")                                                         \
-  X(maggi_mass_matrix, "mass matrix")                                                             \
-  X(maggi_reduced_mass, "mass matrix")                                                            \
-  X(maggi_generalised_forces, "solve")                                                            \
-  X(maggi_reduced_force, "solve")                                                                 \
-  X(maggi_factor_mass, "solve")                                                                   \
-  X(maggi_solve_mass, "solve")                                                                    \
-  X(maggi_expand, "solve")                                                                        \
+  X(outside, "outside")                                                                            \
+  X(maggi_functions, "positions")                                                                  \
+  X(maggi_positions, "positions")                                                                  \
+  X(maggi_points, "positions")                                                                     \
+  X(maggi_directions, "positions")                                                                 \
+  X(maggi_loop_residual, "loops")                                                                  \
+  X(maggi_loop_entries, "loops")                                                                   \
+  X(maggi_island_factors, "loops")                                                                 \
+  X(maggi_island_columns, "loops")                                                                 \
+  X(maggi_loop_gamma, "loops")                                                                     \
+  X(maggi_island_vector, "loops")                                                                  \
+  X(maggi_velocities, "velocities")                                                                \
+  X(maggi_point_velocities, "velocities")                                                          \
+  X(maggi_point_accelerations, "velocities")                                                       \
+  X(maggi_accelerations, "velocities")                                                             \
+  X(maggi_wheel_forces, "inertias")                                                                \
+  X(maggi_element_forces, "inertias")                                                              \
+  X(maggi_body_inertias, "inertias")                                                               \
+  X(maggi_inertia_forces, "inertias")                                                              \
+  X(maggi_rod_forces, "inertias")                                                                  \
+  X(maggi_accumulate, "inertias")                                                                  \
+  X(maggi_composite_inertias, "inertias")                                                          \
+  X(maggi_mass_matrix, "mass matrix")                                                              \
+  X(maggi_reduced_mass, "mass matrix")                                                             \
+  X(maggi_generalised_forces, "solve")                                                             \
+  X(maggi_reduced_force, "solve")                                                                  \
+  X(maggi_factor_mass, "solve")                                                                    \
+  X(maggi_solve_mass, "solve")                                                                     \
+  X(maggi_expand, "solve")                                                                         \
   X(maggi_drives, "solve")
 
 enum {

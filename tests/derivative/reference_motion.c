@@ -138,7 +138,8 @@ void reference_motion_roll(reference_motion *m)
 {
   maggi_data *d = &m->data;
 
-  maggi_rolling(&d->t, d->p, (void *)d->A, (void *)d->b, (void *)d->r, (void *)d->Z, d->spin);
+  maggi_rolling(&d->t, d->p, (void *)d->spline0, (void *)d->A, (void *)d->b, (void *)d->r,
+                (void *)d->Z, d->spin);
 }
 
 void reference_motion_energy(reference_motion *m, reference_number energy[2])

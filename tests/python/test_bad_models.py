@@ -191,6 +191,28 @@ class Row:
     message: str
 
 
+BUMPS = "bumps, radius: 2, height: 0.05, first: 3"
+
+ROADS = [  # kind, what is wrong, type and keys, message
+    ("sine", "no wavelength", "sine, amplitude: 1", '"wavelength" is missing'),
+    ("bumps", "no height", "bumps, radius: 2, first: 3", '"height" is missing'),
+    ("bumps", "no first", "bumps, radius: 2, height: 0.05", '"first" is missing'),
+    ("bumps", "slope", BUMPS + ", slope: 0.1", 'no key "slope"'),
+    ("bumps", "none", BUMPS + ", number: 0", "0 is not a number of bumps"),
+    ("bumps", "a half", BUMPS + ", number: 2.5, spacing: 5", "2.5 is not a number of bumps"),
+    ("bumps", "too near", BUMPS + ", number: 2, spacing: 0.5", "spacing must be at least"),
+    ("bumps", "too high", "bumps, radius: 2, height: 2.1, first: 3", "height must be between"),
+    ("bumps", "of no height", "bumps, radius: 2, height: 0, first: 3", "height must be between"),
+    ("bumps", "of no radius", "bumps, radius: 0, height: 0, first: 3", "radius must be positive"),
+    ("bumps", "long fillet", BUMPS + ", fillet: 1", "fillet must be between"),
+    ("bumps", "negative fillet", BUMPS + ", fillet: -0.1", "fillet must be between"),
+    ("profile", "no heights", "profile, x: [0, 1]", '"z" is missing'),
+    ("profile", "one point", "profile, x: [0], z: [1]", "at least two points"),
+    ("profile", "points and heights", "profile, x: [0, 1], z: [1]", "1 heights for 2 points"),
+    ("profile", "backwards", "profile, x: [0, 1, 1], z: [1, 0, 0]", "x does not increase"),
+    ("profile", "radius", "profile, x: [0, 1], z: [1, 0], radius: 1", 'no key "radius"'),
+]
+
 BODIES = GOOD[GOOD.index("bodies:") :]  # and what refers to them
 
 ROWS = [
@@ -476,6 +498,10 @@ ROWS = [
         "times",
     ),
     Row("key of a function missing", "    omega: 2\n", "", "- name: turn", '"omega" is missing'),
+    *[
+        Row(f"{kind} road: {what}", "sensors:\n", f"roads:\n  - {{name: way, type: {text}}}\nsensors:\n", "- {name: way", message)
+        for kind, what, text, message in ROADS
+    ],
     Row("unknown sensor", "type: position", "type: jerk", "type: jerk", '"jerk"'),
     Row(
         "sensor on unknown body",

@@ -22,17 +22,13 @@ typedef struct command {
   int (*run)(int argc, char **argv);
 } command;
 
-static const command commands[] = {{"simulate", command_simulate},
-                                   {"sensitivity", command_sensitivity},
-                                   {"verify", command_verify},
-                                   {"report", command_report},
-                                   {"info", command_info},
-                                   {"equilibrium", command_equilibrium},
-                                   {"modes", command_modes},
-                                   {"models", command_models},
-                                   {"help", command_help},
-                                   {"version", command_version},
-                                   {NULL, NULL}};
+static const command commands[] = {
+    {"simulate", command_simulate}, {"sensitivity", command_sensitivity},
+    {"verify", command_verify},     {"report", command_report},
+    {"info", command_info},         {"equilibrium", command_equilibrium},
+    {"modes", command_modes},       {"models", command_models},
+    {"tyre", command_tyre},         {"help", command_help},
+    {"version", command_version},   {NULL, NULL}};
 
 static int unknown_command(const char *word)
 {
