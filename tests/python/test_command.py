@@ -144,10 +144,10 @@ def test_wrong_command_line(arguments, status, text, tmp_path):
 def test_help_and_version():
     general = done("help")
     assert done("--help") == general and done("-h") == general
-    for command in ["simulate", "info", "models", "help", "version"]:
+    for command in "simulate info equilibrium modes models help version".split():
         assert f"maggi {command}" in general
         assert done("help", command).startswith(f"maggi {command}")
-    for command in ["simulate", "info", "models"]:
+    for command in ["simulate", "info", "equilibrium", "modes", "models"]:
         assert done(command, "--help") == done("help", command)
     assert done("simulate", MODEL, "-h") == done("help", "simulate")
     for option in "time step out every energy reactions set tolerance json".split():
