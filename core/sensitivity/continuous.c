@@ -41,6 +41,7 @@ static maggi_status evaluate(maggi_reversal *r, const maggi_tape *tape, long i, 
   for (k = 0; k < d->t.nstate; ++k)
     d->y[k] = middle(y0[filters + k], y2[filters + k], d->y[k], d->yrate[k], h);
   maggi_evaluate(d, time);
+  maggi_evaluate_filters(d);
   return maggi_linearise_at(r->D, time);
 }
 

@@ -559,9 +559,9 @@ ROWS = [
         "- name: end",
         'no key "body"',
     ),
-    Row("no low speed", "low_speed: 0.01", "low_speed: 0", "name: slide", "must be positive"),
+    Row("no low speed", "crank, low_speed: 0.01", "crank, low_speed: 0", "name: slide", "must be positive"),
     Row("low speed of a point", "type: sideslip", "type: velocity", "slide", '"low_speed"'),
-    Row("terms of a sideslip", "low_speed: 0.01", "terms: [end.z]", "slide", 'no key "terms"'),
+    Row("terms of a sideslip", "crank, low_speed: 0.01", "crank, terms: [end.z]", "slide", 'no key "terms"'),
     Row("sum of nothing", "terms: [slide.speed, end.z], ", "", "name: sum", '"terms" is missing'),
     Row("sum of a later one", "[slide.speed, end.z]", "[slide.speed, sum.value]", "sum", "before it"),
     Row("sum of no column", "[slide.speed, end.z]", "[slide.speed, end.w]", "sum", '"end.w"'),
@@ -615,7 +615,7 @@ ROWS = [
     Row("reference of a peak", "type: norm", "type: peak", "name: settling", 'no key "reference"'),
     Row("slope of one signal", ", against: end.y", "", "name: gain", '"against" is missing'),
     Row("slope over nothing", "against: end.y", "against: end.w", "against: end.w", '"end.w"'),
-    Row("target of a slope", "against: end.y", "against: end.y, target: 1", "gain", '"target"'),
+    Row("target of a slope", "against: end.y", "against: end.y, target: 1", "name: gain", '"target"'),
     Row("no parameters", "[bodies.crank.mass, bodies.coupler.mass]", "[]", "name: mass", "empty"),
     Row(
         "unknown parameter",
@@ -813,7 +813,8 @@ format: maggi
 version: 1
 name: variant
 base: good.yaml
-remove: [sensors.end, objectives.high, objectives.at, objectives.fit, objectives.total]
+remove: [sensors.end, sensors.sum, filters.felt, filters.own, objectives.high, objectives.at, objectives.fit,
+  objectives.total, objectives.settling, objectives.gain]
 gravity: [0, 0, -1]
 springs:
   - name: coil

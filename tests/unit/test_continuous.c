@@ -30,7 +30,9 @@ static maggi_model *carriage(void)
       "joint_springs: [{name: spring, coordinate: arm, stiffness: 3, damping: 0.5}]\n"
       "forces: [{name: load, type: force, body: arm, point: [0, 0, -1], value: [0.5, 2, 1],"
       " function: push}]\n"
-      "sensors: [{name: tip, type: acceleration, body: arm, point: [0, 0, -1]}]\n");
+      "sensors: [{name: tip, type: acceleration, body: arm, point: [0, 0, -1]}]\n"
+      "filters: [{name: felt, signal: tip.z, f1: 0.4, f2: 4, f4: 3, q4: 0.7, f5: 1, q5: 0.9, f6: 2,"
+      " q6: 0.9, gain: 1.2}]\n");
 }
 
 static const case_def cases[] = {
@@ -58,6 +60,11 @@ static const case_def cases[] = {
      carriage,
      {"integral_square(arm.q)", "terminal(arm.v)", "integral(tip.x)"},
      0.03,
+     0},
+    {"carriage, weighted",
+     carriage,
+     {"integral_square(felt.weighted)", "terminal(felt.weighted)", "vdv(felt.weighted)"},
+     0.01,
      0},
 };
 
