@@ -3,23 +3,73 @@
 #include "maggi_ad.h"
 #include "maggi/maggi.h"
 
-static int piece_nodiff(int np, const double p[np], int adr, int n, double time)
-{
-  int k;
-
-  for (k = -1; k < n - 1; ++k)
-    if (MAGGI_RE(time) < MAGGI_RE(p[adr + k + 1])) return k;
-  return n - 1;
-}
-
 void maggi_spline_constants_b(const maggi_topo *t, const double p[restrict t->np],
                               double pb[restrict t->np], double spline0[restrict t->nspline][3],
                               double spline0b[restrict t->nspline][3])
 {
-  int i, k;
-  double e0, e0b, e1, e1b, h0, h0b, h1, h1b, p_iik, p_iikb, p_ik, p_ikb, t2, t2b, tb2, tb3, tb4,
-      tb5, tb6, tb7, tb8, tb9, w, wb;
+  int i, k, k2;
+  double e0, e0_2, e0_2b, e0b, e1, e1_2, e1_2b, e1b, h0, h0_2, h0_2b, h0b, h1, h1_2, h1_2b, h1b,
+      p_iik, p_iik2, p_iik2b, p_iikb, p_ik, p_ik2, p_ik2b, p_ikb, t2, t2b, t3, t3b, tb10, tb11,
+      tb12, tb13, tb14, tb15, tb16, tb17, tb2, tb3, tb4, tb5, tb6, tb7, tb8, tb9, w, w2, w2b, wb;
 
+  for (i = t->nroad - 1; i >= 0; --i) {
+    if (t->roadkind[i] == MAGGI_ROAD_PROFILE) {
+      for (k2 = 1; k2 <= t->roadn[i] - 2; ++k2) {
+        tb17 = spline0b[t->roadspline[i] + k2][0];
+        spline0b[t->roadspline[i] + k2][0] = 0.0;
+        spline0b[t->roadspline[i] + k2][1] += tb17;
+        spline0b[t->roadspline[i] + k2][2] -= tb17 * spline0[t->roadspline[i] + k2 + 1][0];
+        spline0b[t->roadspline[i] + k2 + 1][0] -= tb17 * spline0[t->roadspline[i] + k2][2];
+      }
+      spline0b[t->roadspline[i] + t->roadn[i] - 1][0] = 0.0;
+      spline0b[t->roadspline[i]][0] = 0.0;
+      for (k2 = t->roadn[i] - 2; k2 >= 1; --k2) {
+        p_ik2 = p[t->roadadr[i] + k2];
+        h0_2 = p_ik2 - p[t->roadadr[i] + k2 - 1];
+        h1_2 = p[t->roadadr[i] + k2 + 1] - p_ik2;
+        p_iik2 = p[t->roadadr[i] + t->roadn[i] + k2];
+        e0_2 = (p_iik2 - p[t->roadadr[i] + t->roadn[i] + k2 - 1]) / h0_2;
+        e1_2 = (p[t->roadadr[i] + t->roadn[i] + k2 + 1] - p_iik2) / h1_2;
+        w2 = 2.0 * (h0_2 + h1_2) - h0_2 * spline0[t->roadspline[i] + k2 - 1][2];
+        t3 = spline0[t->roadspline[i] + k2][1];
+        tb15 = spline0b[t->roadspline[i] + k2][2];
+        spline0b[t->roadspline[i] + k2][2] = 0.0;
+        tb16 = tb15 / w2;
+        h1_2b = tb16;
+        w2b = -(tb16 * spline0[t->roadspline[i] + k2][2]);
+        t3b = spline0b[t->roadspline[i] + k2][1];
+        spline0b[t->roadspline[i] + k2][1] = 0.0;
+        tb13 = t3b / w2;
+        tb14 = tb13 * 6.0;
+        e1_2b = tb14;
+        e0_2b = -tb14;
+        h0_2b = -(tb13 * spline0[t->roadspline[i] + k2 - 1][1]);
+        spline0b[t->roadspline[i] + k2 - 1][1] -= tb13 * h0_2;
+        w2b -= tb13 * t3;
+        tb12 = w2b * 2.0;
+        h0_2b += tb12;
+        h1_2b += tb12;
+        h0_2b -= w2b * spline0[t->roadspline[i] + k2 - 1][2];
+        spline0b[t->roadspline[i] + k2 - 1][2] -= w2b * h0_2;
+        tb11 = e1_2b / h1_2;
+        pb[t->roadadr[i] + t->roadn[i] + k2 + 1] += tb11;
+        p_iik2b = -tb11;
+        h1_2b -= tb11 * e1_2;
+        tb10 = e0_2b / h0_2;
+        p_iik2b += tb10;
+        pb[t->roadadr[i] + t->roadn[i] + k2 - 1] -= tb10;
+        h0_2b -= tb10 * e0_2;
+        pb[t->roadadr[i] + t->roadn[i] + k2] += p_iik2b;
+        pb[t->roadadr[i] + k2 + 1] += h1_2b;
+        p_ik2b = -h1_2b;
+        p_ik2b += h0_2b;
+        pb[t->roadadr[i] + k2 - 1] -= h0_2b;
+        pb[t->roadadr[i] + k2] += p_ik2b;
+      }
+      spline0b[t->roadspline[i]][2] = 0.0;
+      spline0b[t->roadspline[i]][1] = 0.0;
+    }
+  }
   for (i = t->nfun - 1; i >= 0; --i) {
     if (t->funkind[i] == MAGGI_FUNCTION_SPLINE) {
       for (k = 1; k <= t->funn[i] - 2; ++k) {
@@ -75,9 +125,6 @@ void maggi_spline_constants_b(const maggi_topo *t, const double p[restrict t->np
         pb[t->funadr[i] + k] += p_ikb;
       }
       spline0b[t->funspline[i]][2] = 0.0;
-      /* natural cubic spline through (t_k, y_k): second derivatives m_k from the tridiagonal system
-       *   h_{k-1} m_{k-1} + 2 (h_{k-1} + h_k) m_k + h_k m_{k+1} = 6 (e_k - e_{k-1}),  e = slope of a piece
-       * by elimination, m = 0 at the ends.  Columns of s: m, and what the elimination needs. */
       spline0b[t->funspline[i]][1] = 0.0;
     }
   }
@@ -239,7 +286,7 @@ void maggi_functions_b(const maggi_topo *t, const double p[restrict t->np],
         pb[t->funadr[i]] += p_i3b;
       }
     } else if (t->funkind[i] == MAGGI_FUNCTION_KNOTS) {
-      k2 = piece_nodiff(t->np, p, t->funadr[i], t->funn[i], time);
+      k2 = maggi_piece(t->np, p, t->funadr[i], t->funn[i], time);
       is_k2 = k2 < 0;
       if (is_k2) {
         k2 = 0;
@@ -322,7 +369,7 @@ void maggi_functions_b(const maggi_topo *t, const double p[restrict t->np],
         }
       }
     } else {
-      k3 = piece_nodiff(t->np, p, t->funadr[i], t->funn[i], time);
+      k3 = maggi_piece(t->np, p, t->funadr[i], t->funn[i], time);
       if (k3 < 0) {
         p_i4 = p[t->funadr[i]];
         h3 = p[t->funadr[i] + 1] - p_i4;

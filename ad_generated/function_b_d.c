@@ -3,15 +3,6 @@
 #include "maggi_ad.h"
 #include "maggi/maggi.h"
 
-static int piece_nodiff(int np, const double p[np], int adr, int n, double time)
-{
-  int k;
-
-  for (k = -1; k < n - 1; ++k)
-    if (MAGGI_RE(time) < MAGGI_RE(p[adr + k + 1])) return k;
-  return n - 1;
-}
-
 void maggi_spline_constants_b_d(const maggi_topo *t, const double p[restrict t->np],
                                 const double pd[restrict t->np], double pb[restrict t->np],
                                 double pbd[restrict t->np], double spline0[restrict t->nspline][3],
@@ -19,11 +10,129 @@ void maggi_spline_constants_b_d(const maggi_topo *t, const double p[restrict t->
                                 double spline0b[restrict t->nspline][3],
                                 double spline0bd[restrict t->nspline][3])
 {
-  int i, k;
-  double e0, e0b, e0bd, e0d, e1, e1b, e1bd, e1d, h0, h0b, h0bd, h0d, h1, h1b, h1bd, h1d, p_iik,
-      p_iikb, p_iikbd, p_iikd, p_ik, p_ikb, p_ikbd, p_ikd, t2, t2b, t2bd, t2d, tb2, tb2d, tb3, tb3d,
-      tb4, tb4d, tb5, tb5d, tb6, tb6d, tb7, tb7d, tb8, tb8d, tb9, tb9d, w, wb, wbd, wd;
+  int i, k, k2;
+  double e0, e0_2, e0_2b, e0_2bd, e0_2d, e0b, e0bd, e0d, e1, e1_2, e1_2b, e1_2bd, e1_2d, e1b, e1bd,
+      e1d, h0, h0_2, h0_2b, h0_2bd, h0_2d, h0b, h0bd, h0d, h1, h1_2, h1_2b, h1_2bd, h1_2d, h1b,
+      h1bd, h1d, p_iik, p_iik2, p_iik2b, p_iik2bd, p_iik2d, p_iikb, p_iikbd, p_iikd, p_ik, p_ik2,
+      p_ik2b, p_ik2bd, p_ik2d, p_ikb, p_ikbd, p_ikd, t2, t2b, t2bd, t2d, t3, t3b, t3bd, t3d, tb10,
+      tb10d, tb11, tb11d, tb12, tb12d, tb13, tb13d, tb14, tb14d, tb15, tb15d, tb16, tb16d, tb17,
+      tb17d, tb2, tb2d, tb3, tb3d, tb4, tb4d, tb5, tb5d, tb6, tb6d, tb7, tb7d, tb8, tb8d, tb9, tb9d,
+      w, w2, w2b, w2bd, w2d, wb, wbd, wd;
 
+  for (i = t->nroad - 1; i >= 0; --i) {
+    if (t->roadkind[i] == MAGGI_ROAD_PROFILE) {
+      for (k2 = 1; k2 <= t->roadn[i] - 2; ++k2) {
+        tb17 = spline0b[t->roadspline[i] + k2][0];
+        tb17d = spline0bd[t->roadspline[i] + k2][0];
+        spline0b[t->roadspline[i] + k2][0] = 0.0;
+        spline0bd[t->roadspline[i] + k2][0] = 0.0;
+        spline0b[t->roadspline[i] + k2][1] += tb17;
+        spline0bd[t->roadspline[i] + k2][1] += tb17d;
+        spline0b[t->roadspline[i] + k2][2] -= tb17 * spline0[t->roadspline[i] + k2 + 1][0];
+        spline0bd[t->roadspline[i] + k2][2] -= tb17d * spline0[t->roadspline[i] + k2 + 1][0] + tb17
+            * spline0d[t->roadspline[i] + k2 + 1][0];
+        spline0b[t->roadspline[i] + k2 + 1][0] -= tb17 * spline0[t->roadspline[i] + k2][2];
+        spline0bd[t->roadspline[i] + k2 + 1][0] -= tb17d * spline0[t->roadspline[i] + k2][2] + tb17
+            * spline0d[t->roadspline[i] + k2][2];
+      }
+      spline0b[t->roadspline[i] + t->roadn[i] - 1][0] = 0.0;
+      spline0bd[t->roadspline[i] + t->roadn[i] - 1][0] = 0.0;
+      spline0b[t->roadspline[i]][0] = 0.0;
+      spline0bd[t->roadspline[i]][0] = 0.0;
+      for (k2 = t->roadn[i] - 2; k2 >= 1; --k2) {
+        p_ik2 = p[t->roadadr[i] + k2];
+        p_ik2d = pd[t->roadadr[i] + k2];
+        h0_2 = p_ik2 - p[t->roadadr[i] + k2 - 1];
+        h0_2d = p_ik2d - pd[t->roadadr[i] + k2 - 1];
+        h1_2 = p[t->roadadr[i] + k2 + 1] - p_ik2;
+        h1_2d = pd[t->roadadr[i] + k2 + 1] - p_ik2d;
+        p_iik2 = p[t->roadadr[i] + t->roadn[i] + k2];
+        p_iik2d = pd[t->roadadr[i] + t->roadn[i] + k2];
+        e0_2 = (p_iik2 - p[t->roadadr[i] + t->roadn[i] + k2 - 1]) / h0_2;
+        e0_2d = (p_iik2d - pd[t->roadadr[i] + t->roadn[i] + k2 - 1] - e0_2 * h0_2d) * (1.0 / h0_2);
+        e1_2 = (p[t->roadadr[i] + t->roadn[i] + k2 + 1] - p_iik2) / h1_2;
+        e1_2d = (pd[t->roadadr[i] + t->roadn[i] + k2 + 1] - p_iik2d - e1_2 * h1_2d) * (1.0 / h1_2);
+        w2 = 2.0 * (h0_2 + h1_2) - h0_2 * spline0[t->roadspline[i] + k2 - 1][2];
+        w2d = 2.0 * (h0_2d + h1_2d) - (h0_2d * spline0[t->roadspline[i] + k2 - 1][2] + h0_2 *
+            spline0d[t->roadspline[i] + k2 - 1][2]);
+        t3 = spline0[t->roadspline[i] + k2][1];
+        t3d = spline0d[t->roadspline[i] + k2][1];
+        tb15 = spline0b[t->roadspline[i] + k2][2];
+        tb15d = spline0bd[t->roadspline[i] + k2][2];
+        spline0b[t->roadspline[i] + k2][2] = 0.0;
+        spline0bd[t->roadspline[i] + k2][2] = 0.0;
+        tb16 = tb15 / w2;
+        tb16d = (tb15d - tb16 * w2d) * (1.0 / w2);
+        h1_2b = tb16;
+        h1_2bd = tb16d;
+        w2b = -(tb16 * spline0[t->roadspline[i] + k2][2]);
+        w2bd = -(tb16d * spline0[t->roadspline[i] + k2][2] + tb16 * spline0d[t->roadspline[i] +
+            k2][2]);
+        t3b = spline0b[t->roadspline[i] + k2][1];
+        t3bd = spline0bd[t->roadspline[i] + k2][1];
+        spline0b[t->roadspline[i] + k2][1] = 0.0;
+        spline0bd[t->roadspline[i] + k2][1] = 0.0;
+        tb13 = t3b / w2;
+        tb13d = (t3bd - tb13 * w2d) * (1.0 / w2);
+        tb14 = tb13 * 6.0;
+        tb14d = tb13d * 6.0;
+        e1_2b = tb14;
+        e1_2bd = tb14d;
+        e0_2b = -tb14;
+        e0_2bd = -tb14d;
+        h0_2b = -(tb13 * spline0[t->roadspline[i] + k2 - 1][1]);
+        h0_2bd = -(tb13d * spline0[t->roadspline[i] + k2 - 1][1] + tb13 * spline0d[t->roadspline[i]
+            + k2 - 1][1]);
+        spline0b[t->roadspline[i] + k2 - 1][1] -= tb13 * h0_2;
+        spline0bd[t->roadspline[i] + k2 - 1][1] -= tb13d * h0_2 + tb13 * h0_2d;
+        w2b -= tb13 * t3;
+        w2bd -= tb13d * t3 + tb13 * t3d;
+        tb12 = w2b * 2.0;
+        tb12d = w2bd * 2.0;
+        h0_2b += tb12;
+        h0_2bd += tb12d;
+        h1_2b += tb12;
+        h1_2bd += tb12d;
+        h0_2b -= w2b * spline0[t->roadspline[i] + k2 - 1][2];
+        h0_2bd -= w2bd * spline0[t->roadspline[i] + k2 - 1][2] + w2b * spline0d[t->roadspline[i] +
+            k2 - 1][2];
+        spline0b[t->roadspline[i] + k2 - 1][2] -= w2b * h0_2;
+        spline0bd[t->roadspline[i] + k2 - 1][2] -= w2bd * h0_2 + w2b * h0_2d;
+        tb11 = e1_2b / h1_2;
+        tb11d = (e1_2bd - tb11 * h1_2d) * (1.0 / h1_2);
+        pb[t->roadadr[i] + t->roadn[i] + k2 + 1] += tb11;
+        pbd[t->roadadr[i] + t->roadn[i] + k2 + 1] += tb11d;
+        p_iik2b = -tb11;
+        p_iik2bd = -tb11d;
+        h1_2b -= tb11 * e1_2;
+        h1_2bd -= tb11d * e1_2 + tb11 * e1_2d;
+        tb10 = e0_2b / h0_2;
+        tb10d = (e0_2bd - tb10 * h0_2d) * (1.0 / h0_2);
+        p_iik2b += tb10;
+        p_iik2bd += tb10d;
+        pb[t->roadadr[i] + t->roadn[i] + k2 - 1] -= tb10;
+        pbd[t->roadadr[i] + t->roadn[i] + k2 - 1] -= tb10d;
+        h0_2b -= tb10 * e0_2;
+        h0_2bd -= tb10d * e0_2 + tb10 * e0_2d;
+        pb[t->roadadr[i] + t->roadn[i] + k2] += p_iik2b;
+        pbd[t->roadadr[i] + t->roadn[i] + k2] += p_iik2bd;
+        pb[t->roadadr[i] + k2 + 1] += h1_2b;
+        pbd[t->roadadr[i] + k2 + 1] += h1_2bd;
+        p_ik2b = -h1_2b;
+        p_ik2bd = -h1_2bd;
+        p_ik2b += h0_2b;
+        p_ik2bd += h0_2bd;
+        pb[t->roadadr[i] + k2 - 1] -= h0_2b;
+        pbd[t->roadadr[i] + k2 - 1] -= h0_2bd;
+        pb[t->roadadr[i] + k2] += p_ik2b;
+        pbd[t->roadadr[i] + k2] += p_ik2bd;
+      }
+      spline0b[t->roadspline[i]][2] = 0.0;
+      spline0bd[t->roadspline[i]][2] = 0.0;
+      spline0b[t->roadspline[i]][1] = 0.0;
+      spline0bd[t->roadspline[i]][1] = 0.0;
+    }
+  }
   for (i = t->nfun - 1; i >= 0; --i) {
     if (t->funkind[i] == MAGGI_FUNCTION_SPLINE) {
       for (k = 1; k <= t->funn[i] - 2; ++k) {
@@ -134,9 +243,6 @@ void maggi_spline_constants_b_d(const maggi_topo *t, const double p[restrict t->
       spline0b[t->funspline[i]][2] = 0.0;
       spline0bd[t->funspline[i]][2] = 0.0;
       spline0b[t->funspline[i]][1] = 0.0;
-      /* natural cubic spline through (t_k, y_k): second derivatives m_k from the tridiagonal system
-       *   h_{k-1} m_{k-1} + 2 (h_{k-1} + h_k) m_k + h_k m_{k+1} = 6 (e_k - e_{k-1}),  e = slope of a piece
-       * by elimination, m = 0 at the ends.  Columns of s: m, and what the elimination needs. */
       spline0bd[t->funspline[i]][1] = 0.0;
     }
   }
@@ -436,7 +542,7 @@ void maggi_functions_b_d(const maggi_topo *t, const double p[restrict t->np],
         pbd[t->funadr[i]] += p_i3bd;
       }
     } else if (t->funkind[i] == MAGGI_FUNCTION_KNOTS) {
-      k2 = piece_nodiff(t->np, p, t->funadr[i], t->funn[i], time);
+      k2 = maggi_piece(t->np, p, t->funadr[i], t->funn[i], time);
       is_k2 = k2 < 0;
       if (is_k2) {
         k2 = 0;
@@ -590,7 +696,7 @@ void maggi_functions_b_d(const maggi_topo *t, const double p[restrict t->np],
         }
       }
     } else {
-      k3 = piece_nodiff(t->np, p, t->funadr[i], t->funn[i], time);
+      k3 = maggi_piece(t->np, p, t->funadr[i], t->funn[i], time);
       if (k3 < 0) {
         p_i4 = p[t->funadr[i]];
         p_i4d = pd[t->funadr[i]];

@@ -3,29 +3,18 @@
 #include "maggi_ad.h"
 #include "maggi/maggi.h"
 
-static int piece_nodiff(int np, const double p[np], int adr, int n, double time)
-{
-  int k;
-
-  for (k = -1; k < n - 1; ++k)
-    if (MAGGI_RE(time) < MAGGI_RE(p[adr + k + 1])) return k;
-  return n - 1;
-}
-
 void maggi_spline_constants_d(const maggi_topo *t, const double p[restrict t->np],
                               const double pd[restrict t->np],
                               double spline0[restrict t->nspline][3],
                               double spline0d[restrict t->nspline][3])
 {
-  int i, k;
-  double e0, e0d, e1, e1d, h0, h0d, h0inv, h1, h1d, h1inv, p_iik, p_iikd, p_ik, p_ikd, t2, t2d, w,
-      wd, winv;
+  int i, k, k2;
+  double e0, e0_2, e0_2d, e0d, e1, e1_2, e1_2d, e1d, h0, h0_2, h0_2d, h0_2inv, h0d, h0inv, h1, h1_2,
+      h1_2d, h1_2inv, h1d, h1inv, p_iik, p_iik2, p_iik2d, p_iikd, p_ik, p_ik2, p_ik2d, p_ikd, t2,
+      t2d, t3, t3d, w, w2, w2d, w2inv, wd, winv;
 
   for (i = 0; i < t->nfun; ++i) {
     if (t->funkind[i] == MAGGI_FUNCTION_SPLINE) {
-      /* natural cubic spline through (t_k, y_k): second derivatives m_k from the tridiagonal system
-       *   h_{k-1} m_{k-1} + 2 (h_{k-1} + h_k) m_k + h_k m_{k+1} = 6 (e_k - e_{k-1}),  e = slope of a piece
-       * by elimination, m = 0 at the ends.  Columns of s: m, and what the elimination needs. */
       spline0d[t->funspline[i]][1] = 0.0;
       spline0d[t->funspline[i]][2] = 0.0;
       for (k = 1; k < t->funn[i] - 1; ++k) {
@@ -59,6 +48,45 @@ void maggi_spline_constants_d(const maggi_topo *t, const double p[restrict t->np
         spline0d[t->funspline[i] + k][0] = spline0d[t->funspline[i] + k][1] -
             (spline0d[t->funspline[i] + k][2] * spline0[t->funspline[i] + k + 1][0] +
             spline0[t->funspline[i] + k][2] * spline0d[t->funspline[i] + k + 1][0]);
+      }
+    }
+  }
+  for (i = 0; i < t->nroad; ++i) {
+    if (t->roadkind[i] == MAGGI_ROAD_PROFILE) {
+      spline0d[t->roadspline[i]][1] = 0.0;
+      spline0d[t->roadspline[i]][2] = 0.0;
+      for (k2 = 1; k2 < t->roadn[i] - 1; ++k2) {
+        p_ik2 = p[t->roadadr[i] + k2];
+        p_ik2d = pd[t->roadadr[i] + k2];
+        h0_2 = p_ik2 - p[t->roadadr[i] + k2 - 1];
+        h0_2d = p_ik2d - pd[t->roadadr[i] + k2 - 1];
+        h1_2 = p[t->roadadr[i] + k2 + 1] - p_ik2;
+        h1_2d = pd[t->roadadr[i] + k2 + 1] - p_ik2d;
+        p_iik2 = p[t->roadadr[i] + t->roadn[i] + k2];
+        p_iik2d = pd[t->roadadr[i] + t->roadn[i] + k2];
+        e0_2 = (p_iik2 - p[t->roadadr[i] + t->roadn[i] + k2 - 1]) / h0_2;
+        h0_2inv = 1.0 / h0_2;
+        e0_2d = (p_iik2d - pd[t->roadadr[i] + t->roadn[i] + k2 - 1] - e0_2 * h0_2d) * h0_2inv;
+        e1_2 = (p[t->roadadr[i] + t->roadn[i] + k2 + 1] - p_iik2) / h1_2;
+        h1_2inv = 1.0 / h1_2;
+        e1_2d = (pd[t->roadadr[i] + t->roadn[i] + k2 + 1] - p_iik2d - e1_2 * h1_2d) * h1_2inv;
+        w2 = 2.0 * (h0_2 + h1_2) - h0_2 * spline0[t->roadspline[i] + k2 - 1][2];
+        w2d = 2.0 * (h0_2d + h1_2d) - (h0_2d * spline0[t->roadspline[i] + k2 - 1][2] + h0_2 *
+            spline0d[t->roadspline[i] + k2 - 1][2]);
+        t3 = spline0[t->roadspline[i] + k2][1];
+        w2inv = 1.0 / w2;
+        t3d = (6.0 * (e1_2d - e0_2d) - (h0_2d * spline0[t->roadspline[i] + k2 - 1][1] + h0_2 *
+            spline0d[t->roadspline[i] + k2 - 1][1]) - t3 * w2d) * w2inv;
+        spline0d[t->roadspline[i] + k2][1] = t3d;
+        spline0d[t->roadspline[i] + k2][2] = (h1_2d - spline0[t->roadspline[i] + k2][2] * w2d) *
+            w2inv;
+      }
+      spline0d[t->roadspline[i]][0] = 0.0;
+      spline0d[t->roadspline[i] + t->roadn[i] - 1][0] = 0.0;
+      for (k2 = t->roadn[i] - 2; k2 > 0; --k2) {
+        spline0d[t->roadspline[i] + k2][0] = spline0d[t->roadspline[i] + k2][1] -
+            (spline0d[t->roadspline[i] + k2][2] * spline0[t->roadspline[i] + k2 + 1][0] +
+            spline0[t->roadspline[i] + k2][2] * spline0d[t->roadspline[i] + k2 + 1][0]);
       }
     }
   }
@@ -163,7 +191,7 @@ void maggi_functions_d(const maggi_topo *t, const double p[restrict t->np],
             * (-3.0 + 2.0 * x) + x * (2.0 * xd));
       }
     } else if (t->funkind[i] == MAGGI_FUNCTION_KNOTS) {
-      k2 = piece_nodiff(t->np, p, t->funadr[i], t->funn[i], time);
+      k2 = maggi_piece(t->np, p, t->funadr[i], t->funn[i], time);
       is_k2 = k2 < 0;
       if (is_k2) {
         k2 = 0;
@@ -214,7 +242,7 @@ void maggi_functions_d(const maggi_topo *t, const double p[restrict t->np],
         }
       }
     } else {
-      k3 = piece_nodiff(t->np, p, t->funadr[i], t->funn[i], time);
+      k3 = maggi_piece(t->np, p, t->funadr[i], t->funn[i], time);
       if (k3 < 0) {
         p_i4 = p[t->funadr[i]];
         p_i4d = pd[t->funadr[i]];

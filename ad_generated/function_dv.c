@@ -3,31 +3,20 @@
 #include "maggi_ad.h"
 #include "maggi/maggi.h"
 
-static int piece_nodiff(int np, const double p[np], int adr, int n, double time)
-{
-  int k;
-
-  for (k = -1; k < n - 1; ++k)
-    if (MAGGI_RE(time) < MAGGI_RE(p[adr + k + 1])) return k;
-  return n - 1;
-}
-
 void maggi_spline_constants_dv(const maggi_topo *t, const double p[restrict t->np],
                                const double pd[restrict t->np][MAGGI_NDIR],
                                double spline0[restrict t->nspline][3],
                                double spline0d[restrict t->nspline][3][MAGGI_NDIR], int nbdirs)
 {
-  int i, k, nd;
-  double e0, e1, h0, h0inv, h1, h1inv, p_iik, p_ik, t2, w, winv;
+  int i, k, k2, nd;
+  double e0, e0_2, e1, e1_2, h0, h0_2, h0_2inv, h0inv, h1, h1_2, h1_2inv, h1inv, p_iik, p_iik2,
+      p_ik, p_ik2, t2, t3, w, w2, w2inv, winv;
 
   (void)nbdirs;
   for (i = 0; i < t->nfun; ++i) {
     if (t->funkind[i] == MAGGI_FUNCTION_SPLINE) {
 #pragma omp simd
       for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-        /* natural cubic spline through (t_k, y_k): second derivatives m_k from the tridiagonal system
-         *   h_{k-1} m_{k-1} + 2 (h_{k-1} + h_k) m_k + h_k m_{k+1} = 6 (e_k - e_{k-1}),  e = slope of a piece
-         * by elimination, m = 0 at the ends.  Columns of s: m, and what the elimination needs. */
         spline0d[t->funspline[i]][1][nd] = 0.0;
         spline0d[t->funspline[i]][2][nd] = 0.0;
       }
@@ -73,6 +62,59 @@ void maggi_spline_constants_dv(const maggi_topo *t, const double p[restrict t->n
           spline0d[t->funspline[i] + k][0][nd] = spline0d[t->funspline[i] + k][1][nd] -
               (spline0d[t->funspline[i] + k][2][nd] * spline0[t->funspline[i] + k + 1][0] +
               spline0[t->funspline[i] + k][2] * spline0d[t->funspline[i] + k + 1][0][nd]);
+        }
+      }
+    }
+  }
+  for (i = 0; i < t->nroad; ++i) {
+    if (t->roadkind[i] == MAGGI_ROAD_PROFILE) {
+#pragma omp simd
+      for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+        spline0d[t->roadspline[i]][1][nd] = 0.0;
+        spline0d[t->roadspline[i]][2][nd] = 0.0;
+      }
+      for (k2 = 1; k2 < t->roadn[i] - 1; ++k2) {
+        p_ik2 = p[t->roadadr[i] + k2];
+        h0_2 = p_ik2 - p[t->roadadr[i] + k2 - 1];
+        h1_2 = p[t->roadadr[i] + k2 + 1] - p_ik2;
+        p_iik2 = p[t->roadadr[i] + t->roadn[i] + k2];
+        e0_2 = (p_iik2 - p[t->roadadr[i] + t->roadn[i] + k2 - 1]) / h0_2;
+        h0_2inv = 1.0 / h0_2;
+        e1_2 = (p[t->roadadr[i] + t->roadn[i] + k2 + 1] - p_iik2) / h1_2;
+        h1_2inv = 1.0 / h1_2;
+        w2 = 2.0 * (h0_2 + h1_2) - h0_2 * spline0[t->roadspline[i] + k2 - 1][2];
+        t3 = spline0[t->roadspline[i] + k2][1];
+        w2inv = 1.0 / w2;
+#pragma omp simd
+        for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+          double e0_2d, e1_2d, h0_2d, h1_2d, p_iik2d, p_ik2d, t3d, w2d;
+
+          p_ik2d = pd[t->roadadr[i] + k2][nd];
+          h0_2d = p_ik2d - pd[t->roadadr[i] + k2 - 1][nd];
+          h1_2d = pd[t->roadadr[i] + k2 + 1][nd] - p_ik2d;
+          p_iik2d = pd[t->roadadr[i] + t->roadn[i] + k2][nd];
+          e0_2d = (p_iik2d - pd[t->roadadr[i] + t->roadn[i] + k2 - 1][nd] - e0_2 * h0_2d) * h0_2inv;
+          e1_2d = (pd[t->roadadr[i] + t->roadn[i] + k2 + 1][nd] - p_iik2d - e1_2 * h1_2d) * h1_2inv;
+          w2d = 2.0 * (h0_2d + h1_2d) - (h0_2d * spline0[t->roadspline[i] + k2 - 1][2] + h0_2 *
+              spline0d[t->roadspline[i] + k2 - 1][2][nd]);
+          t3d = (6.0 * (e1_2d - e0_2d) - (h0_2d * spline0[t->roadspline[i] + k2 - 1][1] + h0_2 *
+              spline0d[t->roadspline[i] + k2 - 1][1][nd]) - t3 * w2d) * w2inv;
+          spline0d[t->roadspline[i] + k2][1][nd] = t3d;
+          spline0d[t->roadspline[i] + k2][2][nd] = (h1_2d - spline0[t->roadspline[i] + k2][2] * w2d)
+              * w2inv;
+        }
+      }
+#pragma omp simd
+      for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+        spline0d[t->roadspline[i]][0][nd] = 0.0;
+        spline0d[t->roadspline[i] + t->roadn[i] - 1][0][nd] = 0.0;
+      }
+      for (k2 = t->roadn[i] - 2; k2 > 0; --k2) {
+#pragma omp simd
+        for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+          spline0d[t->roadspline[i] + k2][0][nd] = spline0d[t->roadspline[i] + k2][1][nd] -
+              (spline0d[t->roadspline[i] + k2][2][nd] * spline0[t->roadspline[i] + k2 + 1][0] +
+              spline0[t->roadspline[i] + k2][2] * spline0d[t->roadspline[i] + k2 + 1][0][nd]);
         }
       }
     }
@@ -208,7 +250,7 @@ void maggi_functions_dv(const maggi_topo *t, const double p[restrict t->np],
         }
       }
     } else if (t->funkind[i] == MAGGI_FUNCTION_KNOTS) {
-      k2 = piece_nodiff(t->np, p, t->funadr[i], t->funn[i], time);
+      k2 = maggi_piece(t->np, p, t->funadr[i], t->funn[i], time);
       is_k2 = k2 < 0;
       if (is_k2) {
         k2 = 0;
@@ -270,7 +312,7 @@ void maggi_functions_dv(const maggi_topo *t, const double p[restrict t->np],
         }
       }
     } else {
-      k3 = piece_nodiff(t->np, p, t->funadr[i], t->funn[i], time);
+      k3 = maggi_piece(t->np, p, t->funadr[i], t->funn[i], time);
       if (k3 < 0) {
         p_i4 = p[t->funadr[i]];
         h3 = p[t->funadr[i] + 1] - p_i4;

@@ -828,6 +828,75 @@ static void loop_gamma_call_b_d(const maggi_topo *t, double *x[], double *xd[], 
                        (void *)xb[7], (void *)xbd[7]);
 }
 
+static int size_nwheel_MAGGI_SLIP_NUMBERS(const maggi_topo *t)
+{
+  return t->nwheel * MAGGI_SLIP_NUMBERS;
+}
+
+static int size_nwheel_6(const maggi_topo *t)
+{
+  return t->nwheel * 6;
+}
+
+static const maggi_head_argument wheel_forces_arguments[] = {
+    {"p", MAGGI_HEAD_INPUT, size_np},
+    {"spline0", MAGGI_HEAD_INPUT, size_nspline_3},
+    {"A", MAGGI_HEAD_INPUT, size_nbody_1_9},
+    {"Z", MAGGI_HEAD_INPUT, size_nbody_1_6},
+    {"r", MAGGI_HEAD_INPUT, size_npoint_3},
+    {"rv", MAGGI_HEAD_INPUT, size_npoint_3},
+    {"slip", MAGGI_HEAD_OUTPUT, size_nwheel_MAGGI_SLIP_NUMBERS},
+    {"f", MAGGI_HEAD_OUTPUT, size_nwheel_6},
+    {"F", MAGGI_HEAD_OUTPUT, size_nwheel_6},
+};
+
+static void wheel_forces_call(const maggi_topo *t, double *x[])
+{
+  maggi_wheel_forces(t, (void *)x[0], (void *)x[1], (void *)x[2], (void *)x[3], (void *)x[4],
+                     (void *)x[5], (void *)x[6], (void *)x[7], (void *)x[8]);
+}
+
+static void wheel_forces_call_d(const maggi_topo *t, double *x[], double *xd[])
+{
+  maggi_wheel_forces_d(t, (void *)x[0], (void *)xd[0], (void *)x[1], (void *)xd[1], (void *)x[2],
+                       (void *)xd[2], (void *)x[3], (void *)xd[3], (void *)x[4], (void *)xd[4],
+                       (void *)x[5], (void *)xd[5], (void *)x[6], (void *)xd[6], (void *)x[7],
+                       (void *)xd[7], (void *)x[8], (void *)xd[8]);
+}
+
+#ifndef MAGGI_COMPLEX
+static void wheel_forces_call_dv(const maggi_topo *t, double *x[], double *xd[])
+{
+  maggi_wheel_forces_dv(t, (void *)x[0], (void *)xd[0], (void *)x[1], (void *)xd[1], (void *)x[2],
+                        (void *)xd[2], (void *)x[3], (void *)xd[3], (void *)x[4], (void *)xd[4],
+                        (void *)x[5], (void *)xd[5], (void *)x[6], (void *)xd[6], (void *)x[7],
+                        (void *)xd[7], (void *)x[8], (void *)xd[8], MAGGI_NDIR);
+}
+#else
+#define wheel_forces_call_dv NULL
+#endif
+
+static void wheel_forces_call_b(const maggi_topo *t, double *x[], double *xb[])
+{
+  maggi_wheel_forces_b(t, (void *)x[0], (void *)xb[0], (void *)x[1], (void *)xb[1], (void *)x[2],
+                       (void *)xb[2], (void *)x[3], (void *)xb[3], (void *)x[4], (void *)xb[4],
+                       (void *)x[5], (void *)xb[5], (void *)x[6], (void *)xb[6], (void *)x[7],
+                       (void *)xb[7], (void *)x[8], (void *)xb[8]);
+}
+
+static void wheel_forces_call_b_d(const maggi_topo *t, double *x[], double *xd[], double *xb[],
+                                  double *xbd[])
+{
+  maggi_wheel_forces_b_d(t, (void *)x[0], (void *)xd[0], (void *)xb[0], (void *)xbd[0],
+                         (void *)x[1], (void *)xd[1], (void *)xb[1], (void *)xbd[1], (void *)x[2],
+                         (void *)xd[2], (void *)xb[2], (void *)xbd[2], (void *)x[3], (void *)xd[3],
+                         (void *)xb[3], (void *)xbd[3], (void *)x[4], (void *)xd[4], (void *)xb[4],
+                         (void *)xbd[4], (void *)x[5], (void *)xd[5], (void *)xb[5], (void *)xbd[5],
+                         (void *)x[6], (void *)xd[6], (void *)xb[6], (void *)xbd[6], (void *)x[7],
+                         (void *)xd[7], (void *)xb[7], (void *)xbd[7], (void *)x[8], (void *)xd[8],
+                         (void *)xb[8], (void *)xbd[8]);
+}
+
 static const maggi_head_argument element_forces_arguments[] = {
     {"p", MAGGI_HEAD_INPUT, size_np},
     {"fun", MAGGI_HEAD_INPUT, size_nfun_3},
@@ -835,9 +904,10 @@ static const maggi_head_argument element_forces_arguments[] = {
     {"q", MAGGI_HEAD_INPUT, size_nq},
     {"v", MAGGI_HEAD_INPUT, size_nq},
     {"A", MAGGI_HEAD_INPUT, size_nbody_1_9},
-    {"Z", MAGGI_HEAD_INPUT, size_nbody_1_6},
+    {"Z", MAGGI_HEAD_PASSIVE, size_nbody_1_6},
     {"r", MAGGI_HEAD_INPUT, size_npoint_3},
     {"rv", MAGGI_HEAD_INPUT, size_npoint_3},
+    {"roll", MAGGI_HEAD_INPUT, size_nwheel_6},
     {"Q", MAGGI_HEAD_OUTPUT, size_nbody_1_6},
     {"tau", MAGGI_HEAD_OUTPUT, size_nq},
     {"power", MAGGI_HEAD_PASSIVE, size_1},
@@ -847,16 +917,16 @@ static void element_forces_call(const maggi_topo *t, double *x[])
 {
   maggi_element_forces(t, (void *)x[0], (void *)x[1], (void *)x[2], (void *)x[3], (void *)x[4],
                        (void *)x[5], (void *)x[6], (void *)x[7], (void *)x[8], (void *)x[9],
-                       (void *)x[10], (void *)x[11]);
+                       (void *)x[10], (void *)x[11], (void *)x[12]);
 }
 
 static void element_forces_call_d(const maggi_topo *t, double *x[], double *xd[])
 {
   maggi_element_forces_d(t, (void *)x[0], (void *)xd[0], (void *)x[1], (void *)xd[1], (void *)x[2],
                          (void *)xd[2], (void *)x[3], (void *)xd[3], (void *)x[4], (void *)xd[4],
-                         (void *)x[5], (void *)xd[5], (void *)x[6], (void *)xd[6], (void *)x[7],
-                         (void *)xd[7], (void *)x[8], (void *)xd[8], (void *)x[9], (void *)xd[9],
-                         (void *)x[10], (void *)xd[10], (void *)x[11]);
+                         (void *)x[5], (void *)xd[5], (void *)x[6], (void *)x[7], (void *)xd[7],
+                         (void *)x[8], (void *)xd[8], (void *)x[9], (void *)xd[9], (void *)x[10],
+                         (void *)xd[10], (void *)x[11], (void *)xd[11], (void *)x[12]);
 }
 
 #ifndef MAGGI_COMPLEX
@@ -864,9 +934,9 @@ static void element_forces_call_dv(const maggi_topo *t, double *x[], double *xd[
 {
   maggi_element_forces_dv(t, (void *)x[0], (void *)xd[0], (void *)x[1], (void *)xd[1], (void *)x[2],
                           (void *)xd[2], (void *)x[3], (void *)xd[3], (void *)x[4], (void *)xd[4],
-                          (void *)x[5], (void *)xd[5], (void *)x[6], (void *)xd[6], (void *)x[7],
-                          (void *)xd[7], (void *)x[8], (void *)xd[8], (void *)x[9], (void *)xd[9],
-                          (void *)x[10], (void *)xd[10], (void *)x[11], MAGGI_NDIR);
+                          (void *)x[5], (void *)xd[5], (void *)x[6], (void *)x[7], (void *)xd[7],
+                          (void *)x[8], (void *)xd[8], (void *)x[9], (void *)xd[9], (void *)x[10],
+                          (void *)xd[10], (void *)x[11], (void *)xd[11], (void *)x[12], MAGGI_NDIR);
 }
 #else
 #define element_forces_call_dv NULL
@@ -876,9 +946,9 @@ static void element_forces_call_b(const maggi_topo *t, double *x[], double *xb[]
 {
   maggi_element_forces_b(t, (void *)x[0], (void *)xb[0], (void *)x[1], (void *)xb[1], (void *)x[2],
                          (void *)xb[2], (void *)x[3], (void *)xb[3], (void *)x[4], (void *)xb[4],
-                         (void *)x[5], (void *)xb[5], (void *)x[6], (void *)xb[6], (void *)x[7],
-                         (void *)xb[7], (void *)x[8], (void *)xb[8], (void *)x[9], (void *)xb[9],
-                         (void *)x[10], (void *)xb[10], (void *)x[11]);
+                         (void *)x[5], (void *)xb[5], (void *)x[6], (void *)x[7], (void *)xb[7],
+                         (void *)x[8], (void *)xb[8], (void *)x[9], (void *)xb[9], (void *)x[10],
+                         (void *)xb[10], (void *)x[11], (void *)xb[11], (void *)x[12]);
 }
 
 static void element_forces_call_b_d(const maggi_topo *t, double *x[], double *xd[], double *xb[],
@@ -889,12 +959,12 @@ static void element_forces_call_b_d(const maggi_topo *t, double *x[], double *xd
                            (void *)xd[2], (void *)xb[2], (void *)xbd[2], (void *)x[3],
                            (void *)xd[3], (void *)xb[3], (void *)xbd[3], (void *)x[4],
                            (void *)xd[4], (void *)xb[4], (void *)xbd[4], (void *)x[5],
-                           (void *)xd[5], (void *)xb[5], (void *)xbd[5], (void *)x[6],
-                           (void *)xd[6], (void *)xb[6], (void *)xbd[6], (void *)x[7],
+                           (void *)xd[5], (void *)xb[5], (void *)xbd[5], (void *)x[6], (void *)x[7],
                            (void *)xd[7], (void *)xb[7], (void *)xbd[7], (void *)x[8],
                            (void *)xd[8], (void *)xb[8], (void *)xbd[8], (void *)x[9],
                            (void *)xd[9], (void *)xb[9], (void *)xbd[9], (void *)x[10],
-                           (void *)xd[10], (void *)xb[10], (void *)xbd[10], (void *)x[11]);
+                           (void *)xd[10], (void *)xb[10], (void *)xbd[10], (void *)x[11],
+                           (void *)xd[11], (void *)xb[11], (void *)xbd[11], (void *)x[12]);
 }
 
 static int size_nspeed_3(const maggi_topo *t)
@@ -951,57 +1021,6 @@ static void control_forces_call_b_d(const maggi_topo *t, double *x[], double *xd
                            (void *)x[3], (void *)xd[3], (void *)xb[3], (void *)xbd[3], (void *)x[4],
                            (void *)xd[4], (void *)xb[4], (void *)xbd[4], (void *)x[5],
                            (void *)xd[5], (void *)xb[5], (void *)xbd[5], (void *)x[6]);
-}
-
-static int size_ntyre_5(const maggi_topo *t)
-{
-  return t->ntyre * 5;
-}
-
-static int size_ntyre_6(const maggi_topo *t)
-{
-  return t->ntyre * 6;
-}
-
-static const maggi_head_argument tyres_arguments[] = {
-    {"p", MAGGI_HEAD_INPUT, size_np},
-    {"slip", MAGGI_HEAD_INPUT, size_ntyre_5},
-    {"f", MAGGI_HEAD_OUTPUT, size_ntyre_6},
-};
-
-static void tyres_call(const maggi_topo *t, double *x[])
-{
-  maggi_tyres(t, (void *)x[0], (void *)x[1], (void *)x[2]);
-}
-
-static void tyres_call_d(const maggi_topo *t, double *x[], double *xd[])
-{
-  maggi_tyres_d(t, (void *)x[0], (void *)xd[0], (void *)x[1], (void *)xd[1], (void *)x[2],
-                (void *)xd[2]);
-}
-
-#ifndef MAGGI_COMPLEX
-static void tyres_call_dv(const maggi_topo *t, double *x[], double *xd[])
-{
-  maggi_tyres_dv(t, (void *)x[0], (void *)xd[0], (void *)x[1], (void *)xd[1], (void *)x[2],
-                 (void *)xd[2], MAGGI_NDIR);
-}
-#else
-#define tyres_call_dv NULL
-#endif
-
-static void tyres_call_b(const maggi_topo *t, double *x[], double *xb[])
-{
-  maggi_tyres_b(t, (void *)x[0], (void *)xb[0], (void *)x[1], (void *)xb[1], (void *)x[2],
-                (void *)xb[2]);
-}
-
-static void tyres_call_b_d(const maggi_topo *t, double *x[], double *xd[], double *xb[],
-                           double *xbd[])
-{
-  maggi_tyres_b_d(t, (void *)x[0], (void *)xd[0], (void *)xb[0], (void *)xbd[0], (void *)x[1],
-                  (void *)xd[1], (void *)xb[1], (void *)xbd[1], (void *)x[2], (void *)xd[2],
-                  (void *)xb[2], (void *)xbd[2]);
 }
 
 static const maggi_head_argument body_inertias_arguments[] = {
@@ -1269,6 +1288,7 @@ static int size_nwheel(const maggi_topo *t)
 
 static const maggi_head_argument rolling_arguments[] = {
     {"p", MAGGI_HEAD_INPUT, size_np},
+    {"spline0", MAGGI_HEAD_INPUT, size_nspline_3},
     {"A", MAGGI_HEAD_INPUT, size_nbody_1_9},
     {"b", MAGGI_HEAD_INPUT, size_nbody_6},
     {"r", MAGGI_HEAD_INPUT, size_npoint_3},
@@ -1279,14 +1299,14 @@ static const maggi_head_argument rolling_arguments[] = {
 static void rolling_call(const maggi_topo *t, double *x[])
 {
   maggi_rolling(t, (void *)x[0], (void *)x[1], (void *)x[2], (void *)x[3], (void *)x[4],
-                (void *)x[5]);
+                (void *)x[5], (void *)x[6]);
 }
 
 static void rolling_call_d(const maggi_topo *t, double *x[], double *xd[])
 {
   maggi_rolling_d(t, (void *)x[0], (void *)xd[0], (void *)x[1], (void *)xd[1], (void *)x[2],
                   (void *)xd[2], (void *)x[3], (void *)xd[3], (void *)x[4], (void *)xd[4],
-                  (void *)x[5], (void *)xd[5]);
+                  (void *)x[5], (void *)xd[5], (void *)x[6], (void *)xd[6]);
 }
 
 #ifndef MAGGI_COMPLEX
@@ -1294,7 +1314,7 @@ static void rolling_call_dv(const maggi_topo *t, double *x[], double *xd[])
 {
   maggi_rolling_dv(t, (void *)x[0], (void *)xd[0], (void *)x[1], (void *)xd[1], (void *)x[2],
                    (void *)xd[2], (void *)x[3], (void *)xd[3], (void *)x[4], (void *)xd[4],
-                   (void *)x[5], (void *)xd[5], MAGGI_NDIR);
+                   (void *)x[5], (void *)xd[5], (void *)x[6], (void *)xd[6], MAGGI_NDIR);
 }
 #else
 #define rolling_call_dv NULL
@@ -1304,7 +1324,7 @@ static void rolling_call_b(const maggi_topo *t, double *x[], double *xb[])
 {
   maggi_rolling_b(t, (void *)x[0], (void *)xb[0], (void *)x[1], (void *)xb[1], (void *)x[2],
                   (void *)xb[2], (void *)x[3], (void *)xb[3], (void *)x[4], (void *)xb[4],
-                  (void *)x[5], (void *)xb[5]);
+                  (void *)x[5], (void *)xb[5], (void *)x[6], (void *)xb[6]);
 }
 
 static void rolling_call_b_d(const maggi_topo *t, double *x[], double *xd[], double *xb[],
@@ -1314,7 +1334,8 @@ static void rolling_call_b_d(const maggi_topo *t, double *x[], double *xd[], dou
                     (void *)xd[1], (void *)xb[1], (void *)xbd[1], (void *)x[2], (void *)xd[2],
                     (void *)xb[2], (void *)xbd[2], (void *)x[3], (void *)xd[3], (void *)xb[3],
                     (void *)xbd[3], (void *)x[4], (void *)xd[4], (void *)xb[4], (void *)xbd[4],
-                    (void *)x[5], (void *)xd[5], (void *)xb[5], (void *)xbd[5]);
+                    (void *)x[5], (void *)xd[5], (void *)xb[5], (void *)xbd[5], (void *)x[6],
+                    (void *)xd[6], (void *)xb[6], (void *)xbd[6]);
 }
 
 static const maggi_head_argument reactions_arguments[] = {
@@ -1377,6 +1398,8 @@ static const maggi_head_argument sensors_arguments[] = {
     {"Za", MAGGI_HEAD_INPUT, size_nbody_1_6},
     {"ra", MAGGI_HEAD_INPUT, size_npoint_3},
     {"lambda", MAGGI_HEAD_INPUT, size_nrow},
+    {"slip", MAGGI_HEAD_INPUT, size_nwheel_MAGGI_SLIP_NUMBERS},
+    {"grip", MAGGI_HEAD_INPUT, size_nwheel_6},
     {"s", MAGGI_HEAD_OUTPUT, size_nsensor_3},
 };
 
@@ -1384,7 +1407,7 @@ static void sensors_call(const maggi_topo *t, double *x[])
 {
   maggi_sensors(t, (void *)x[0], (void *)x[1], (void *)x[2], (void *)x[3], (void *)x[4],
                 (void *)x[5], (void *)x[6], (void *)x[7], (void *)x[8], (void *)x[9], (void *)x[10],
-                (void *)x[11], (void *)x[12], (void *)x[13]);
+                (void *)x[11], (void *)x[12], (void *)x[13], (void *)x[14], (void *)x[15]);
 }
 
 static void sensors_call_d(const maggi_topo *t, double *x[], double *xd[])
@@ -1394,7 +1417,8 @@ static void sensors_call_d(const maggi_topo *t, double *x[], double *xd[])
                   (void *)xd[5], (void *)x[6], (void *)xd[6], (void *)x[7], (void *)xd[7],
                   (void *)x[8], (void *)xd[8], (void *)x[9], (void *)xd[9], (void *)x[10],
                   (void *)xd[10], (void *)x[11], (void *)xd[11], (void *)x[12], (void *)xd[12],
-                  (void *)x[13], (void *)xd[13]);
+                  (void *)x[13], (void *)xd[13], (void *)x[14], (void *)xd[14], (void *)x[15],
+                  (void *)xd[15]);
 }
 
 #ifndef MAGGI_COMPLEX
@@ -1405,7 +1429,8 @@ static void sensors_call_dv(const maggi_topo *t, double *x[], double *xd[])
                    (void *)xd[5], (void *)x[6], (void *)xd[6], (void *)x[7], (void *)xd[7],
                    (void *)x[8], (void *)xd[8], (void *)x[9], (void *)xd[9], (void *)x[10],
                    (void *)xd[10], (void *)x[11], (void *)xd[11], (void *)x[12], (void *)xd[12],
-                   (void *)x[13], (void *)xd[13], MAGGI_NDIR);
+                   (void *)x[13], (void *)xd[13], (void *)x[14], (void *)xd[14], (void *)x[15],
+                   (void *)xd[15], MAGGI_NDIR);
 }
 #else
 #define sensors_call_dv NULL
@@ -1418,7 +1443,8 @@ static void sensors_call_b(const maggi_topo *t, double *x[], double *xb[])
                   (void *)xb[5], (void *)x[6], (void *)xb[6], (void *)x[7], (void *)xb[7],
                   (void *)x[8], (void *)xb[8], (void *)x[9], (void *)xb[9], (void *)x[10],
                   (void *)xb[10], (void *)x[11], (void *)xb[11], (void *)x[12], (void *)xb[12],
-                  (void *)x[13], (void *)xb[13]);
+                  (void *)x[13], (void *)xb[13], (void *)x[14], (void *)xb[14], (void *)x[15],
+                  (void *)xb[15]);
 }
 
 static void sensors_call_b_d(const maggi_topo *t, double *x[], double *xd[], double *xb[],
@@ -1434,7 +1460,9 @@ static void sensors_call_b_d(const maggi_topo *t, double *x[], double *xd[], dou
                     (void *)xb[9], (void *)xbd[9], (void *)x[10], (void *)xd[10], (void *)xb[10],
                     (void *)xbd[10], (void *)x[11], (void *)xd[11], (void *)xb[11], (void *)xbd[11],
                     (void *)x[12], (void *)xd[12], (void *)xb[12], (void *)xbd[12], (void *)x[13],
-                    (void *)xd[13], (void *)xb[13], (void *)xbd[13]);
+                    (void *)xd[13], (void *)xb[13], (void *)xbd[13], (void *)x[14], (void *)xd[14],
+                    (void *)xb[14], (void *)xbd[14], (void *)x[15], (void *)xd[15], (void *)xb[15],
+                    (void *)xbd[15]);
 }
 
 static const maggi_head_argument kinetic_energy_arguments[] = {
@@ -1582,12 +1610,12 @@ const maggi_head maggi_heads[] = {
       point_accelerations_call_b_d},
   {"maggi_loop_gamma", 8, loop_gamma_arguments, loop_gamma_call, loop_gamma_call_d,
       loop_gamma_call_dv, loop_gamma_call_b, loop_gamma_call_b_d},
-  {"maggi_element_forces", 12, element_forces_arguments, element_forces_call, element_forces_call_d,
+  {"maggi_wheel_forces", 9, wheel_forces_arguments, wheel_forces_call, wheel_forces_call_d,
+      wheel_forces_call_dv, wheel_forces_call_b, wheel_forces_call_b_d},
+  {"maggi_element_forces", 13, element_forces_arguments, element_forces_call, element_forces_call_d,
       element_forces_call_dv, element_forces_call_b, element_forces_call_b_d},
   {"maggi_control_forces", 7, control_forces_arguments, control_forces_call, control_forces_call_d,
       control_forces_call_dv, control_forces_call_b, control_forces_call_b_d},
-  {"maggi_tyres", 3, tyres_arguments, tyres_call, tyres_call_d, tyres_call_dv, tyres_call_b,
-      tyres_call_b_d},
   {"maggi_body_inertias", 4, body_inertias_arguments, body_inertias_call, body_inertias_call_d,
       body_inertias_call_dv, body_inertias_call_b, body_inertias_call_b_d},
   {"maggi_inertia_forces", 4, inertia_forces_arguments, inertia_forces_call, inertia_forces_call_d,
@@ -1601,11 +1629,11 @@ const maggi_head maggi_heads[] = {
   {"maggi_generalised_forces", 4, generalised_forces_arguments, generalised_forces_call,
       generalised_forces_call_d, generalised_forces_call_dv, generalised_forces_call_b,
       generalised_forces_call_b_d},
-  {"maggi_rolling", 6, rolling_arguments, rolling_call, rolling_call_d, rolling_call_dv,
+  {"maggi_rolling", 7, rolling_arguments, rolling_call, rolling_call_d, rolling_call_dv,
       rolling_call_b, rolling_call_b_d},
   {"maggi_reactions", 3, reactions_arguments, reactions_call, reactions_call_d, reactions_call_dv,
       reactions_call_b, reactions_call_b_d},
-  {"maggi_sensors", 14, sensors_arguments, sensors_call, sensors_call_d, sensors_call_dv,
+  {"maggi_sensors", 16, sensors_arguments, sensors_call, sensors_call_d, sensors_call_dv,
       sensors_call_b, sensors_call_b_d},
   {"maggi_kinetic_energy", 5, kinetic_energy_arguments, kinetic_energy_call, kinetic_energy_call_d,
       kinetic_energy_call_dv, kinetic_energy_call_b, kinetic_energy_call_b_d},

@@ -3,1062 +3,2467 @@
 #include "maggi_ad.h"
 #include "maggi/maggi.h"
 
-/* the formula of every tyre at a slip of its own */
-void maggi_tyres_b(const maggi_topo *t, const double p[restrict t->np], double pb[restrict t->np],
-                   const double slip[restrict t->ntyre][5], double slipb[restrict t->ntyre][5],
-                   double f[restrict t->ntyre][6], double fb[restrict t->ntyre][6])
+static int nearest_nodiff(int np, const double p[np], int adr, int n, double x)
 {
-  int i;
-  double a, ab, ar, arb, areq, areqb, at, atb, ateq, ateqb, ay, ayb, br, brb, bt, btb, bx, bxb, by,
-      byb, bycy, bycyb, ca, cab, cx, cxb, cy, cyb, dfz, dfzb, dr, drb, dt, dtb, dv, dvb, dx, dxb,
-      dy, dyb, e, e10, e10b, e11, e11b, e2, e2b, e3, e3b, e4, e4b, e5, e5b, e6, e6b, e7, e7b, e8,
-      e8b, e9, e9b, eb, et, etb, ex, exb, ey, eyb, fx, fxb, fy, fyb, fz, fz0, fz0_2, fz0_2b, fz0_3,
-      fz0_3b, fz0b, fzb, g0, g0b, g1, g1b, gamma, gammab, gx, gxb, gy, gyb, gz, gzb, kappa, kappab,
-      kx, kxb, mux, muxb, muy, muy2, muy2b, muyb, p2, p2b, p3, p3b, p4, p4b, p5, p5b, p6, p6b, p7,
-      p7b, r0, r0b, ratio, ratiob, s, s2, s2b, sb, shift, shiftb, shy, shyb, slip_i4, slip_i4b,
-      speed, speedb, stiff, stiff2, stiff2b, stiff3, stiff3b, stiff4, stiff4b, stiffb, svx, svxb,
-      svy, svyb, t10, t10b, t11, t11b, t12, t12b, t13, t13b, t14, t14b, t15, t15b, t16, t16b, t17,
-      t17b, t18, t18b, t19, t19b, t2, t20, t20b, t21, t21b, t22, t22b, t23, t23b, t24, t24b, t25,
-      t25b, t26, t26b, t27, t27b, t28, t28b, t29, t29b, t2b, t3, t30, t30b, t31, t31b, t32, t32b,
-      t33, t33b, t34, t34b, t35, t35b, t36, t36b, t37, t37b, t38, t38b, t39, t39b, t3b, t4, t40,
-      t40b, t41, t41b, t42, t42b, t43, t43b, t44, t44b, t45, t45b, t46, t46b, t47, t47b, t48, t48b,
-      t49, t49b, t4b, t5, t50, t50b, t51, t51b, t52, t52b, t53, t53b, t54, t54b, t55, t55b, t56,
-      t56b, t57, t57b, t58, t58b, t59, t59b, t5b, t6, t60, t60b, t61, t61b, t62, t62b, t63, t63b,
-      t64, t64b, t65, t65b, t66, t66b, t67, t67b, t68, t68b, t69, t69b, t6b, t7, t70, t70b, t71,
-      t71b, t72, t72b, t73, t73b, t74, t74b, t75, t75b, t7b, t8, t8b, t9, t9b, tb10, tb100, tb101,
-      tb102, tb103, tb104, tb105, tb106, tb107, tb108, tb109, tb11, tb12, tb13, tb14, tb15, tb16,
-      tb17, tb18, tb19, tb2, tb20, tb21, tb22, tb23, tb24, tb25, tb26, tb27, tb28, tb29, tb3, tb30,
-      tb31, tb32, tb33, tb34, tb35, tb36, tb37, tb38, tb39, tb4, tb40, tb41, tb42, tb43, tb44, tb45,
-      tb46, tb47, tb48, tb49, tb5, tb50, tb51, tb52, tb53, tb54, tb55, tb56, tb57, tb58, tb59, tb6,
-      tb60, tb61, tb62, tb63, tb64, tb65, tb66, tb67, tb68, tb69, tb7, tb70, tb71, tb72, tb73, tb74,
-      tb75, tb76, tb77, tb78, tb79, tb8, tb80, tb81, tb82, tb83, tb84, tb85, tb86, tb87, tb88, tb89,
-      tb9, tb90, tb91, tb92, tb93, tb94, tb95, tb96, tb97, tb98, tb99, way, wayb, x0, x0b, x1, x1b,
-      x2, x2b, x3, x3b, x4, x4b, x5, x5b, y0, y0b, y1, y10, y10b, y11, y11b, y12, y12b, y13, y13b,
-      y14, y14b, y15, y15b, y16, y16b, y17, y17b, y1b, y2, y2_2, y2_2b, y2b, y3, y3_2, y3_2b, y3b,
-      y4, y4_2, y4_2b, y4b, y5, y5b, y6, y6b, y7, y7b, y8, y8b, y9, y9b, z0, z0b, z1b, z2, z2b, z3,
-      z3b, z4, z4b;
+  int i, k;
 
-  for (i = t->ntyre - 1; i >= 0; --i) {
-    kappa = slip[i][0];
-    a = slip[i][1];
-    gamma = slip[i][2];
-    fz = f[i][2];
-    fz0 = p[t->tyreadr[i] + MAGGI_TYRE_LFZO] * p[t->tyreadr[i]];
-    r0 = p[t->tyreadr[i] + MAGGI_TYRE_UNLOADED_RADIUS];
-    dfz = (fz - fz0) / fz0;
-    kx = kappa + (p[t->tyreadr[i] + MAGGI_TYRE_PHX1] + p[t->tyreadr[i] + MAGGI_TYRE_PHX2] * dfz) *
-        p[t->tyreadr[i] + MAGGI_TYRE_LHX];
-    gx = gamma * p[t->tyreadr[i] + MAGGI_TYRE_LGAX];
-    cx = p[t->tyreadr[i] + MAGGI_TYRE_PCX1] * p[t->tyreadr[i] + MAGGI_TYRE_LCX];
-    mux = (p[t->tyreadr[i] + MAGGI_TYRE_PDX1] + p[t->tyreadr[i] + MAGGI_TYRE_PDX2] * dfz) * (1.0 -
-        p[t->tyreadr[i] + MAGGI_TYRE_PDX3] * gx * gx) * p[t->tyreadr[i] + MAGGI_TYRE_LMUX];
-    dx = mux * fz;
-    e = (p[t->tyreadr[i] + MAGGI_TYRE_PEX1] + p[t->tyreadr[i] + MAGGI_TYRE_PEX2] * dfz +
-        p[t->tyreadr[i] + MAGGI_TYRE_PEX3] * dfz * dfz) * p[t->tyreadr[i] + MAGGI_TYRE_LEX];
-    if (MAGGI_RE(kx) > 0.0) {
-      e2 = e * (1.0 - p[t->tyreadr[i] + MAGGI_TYRE_PEX4]);
-      if (MAGGI_RE(e2) > 1.0) {
-        y2 = 1.0;
+  k = 0;
+  for (i = 1; i < n; ++i)
+    if (MAGGI_RE(x) >
+        MAGGI_RE(p[adr + MAGGI_BUMPS_FIRST] + (i - 0.5) * p[adr + MAGGI_BUMPS_SPACING]))
+      k = i;
+  return k;
+}
+
+/* slip: MAGGI_SLIP_..; f: Fx Fy Fz, Mx My Mz at the contact point, in its axes; F: the same at P */
+void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
+                          double pb[restrict t->np], const double spline0[restrict t->nspline][3],
+                          double spline0b[restrict t->nspline][3],
+                          const double A[restrict t->nbody + 1][9],
+                          double Ab[restrict t->nbody + 1][9],
+                          const double Z[restrict t->nbody + 1][6],
+                          double Zb[restrict t->nbody + 1][6],
+                          const double r[restrict t->npoint][3], double rb[restrict t->npoint][3],
+                          const double rv[restrict t->npoint][3], double rvb[restrict t->npoint][3],
+                          double slip[restrict t->nwheel][MAGGI_SLIP_NUMBERS],
+                          double slipb[restrict t->nwheel][MAGGI_SLIP_NUMBERS],
+                          double f[restrict t->nwheel][6], double fb[restrict t->nwheel][6],
+                          double F[restrict t->nwheel][6], double Fb[restrict t->nwheel][6])
+{
+  int a, i, k3, k5, k6, k8, k9, k9_2, point, road;
+  double L0, L0b, L1, L1b, L2, L2b, N0, N0b, N1, N2, N2b, T0, T0b, T1, T1b, T2, T2b, Z_a3, Z_a3b,
+      Z_a4, Z_a4b, Z_a5, Z_a5b, a2, a2b, a3, a3b, a4, a4b, a5, a5b, a6, a6b, along0, along0b,
+      along1, along1b, along2, along2b, ar, arb, areq, areqb, arm0, arm0b, arm1, arm1b, arm2, arm2b,
+      at, atb, ateq, ateqb, axis0, axis0b, axis1, axis1b, axis2, axis2b, ay, ayb, b0, b0b, b2, b2b,
+      b30, b30b, b31, b31b, b4, b4b, base, base2, base2b, baseb, br, brb, bt, btb, c, c2, c2b, c3,
+      c3b, c4, c4b, c5, c5b, ca, cab, cb, dfz, dfzb, dr, drb, dt, dtb, dv, dvb, e, e10, e10b, e11,
+      e11b, e2, e2b, e3, e3b, e4, e4b, e5, e5b, e6, e6b, e7, e7b, e8, e8b, e9, e9b, eb, et, etb, ex,
+      exb, ey, eyb, f2, f2b, f3, f3b, f_i0, f_i0b, f_i1, f_i1b, f_i2, f_i2b, f_i3, f_i3b, f_i4,
+      f_i4b, f_i5, f_i5b, force0b, force1b, force2, force2_2b, force2b, force30, force30b, force31,
+      force31b, force32, force32b, force3_2b, force4b, force5b, fx, fxb, fy, fyb, fz, fz0, fz0_2,
+      fz0_2b, fz0_3, fz0_3b, fz0_4, fz0_4b, fz0b, fz2, fz2b, fzb, g0, g0b, g20, g20b, g21, g21b,
+      g22, g22b, g23, g23b, g24, g24b, g25, g25b, g26, g26b, g27, g27b, g28, g28b, g2_2, g2_2b,
+      gamma, gammab, gx, gxb, gy, gyb, gz, gzb, h, h00, h00b, h0_2, h0_2b, h0_3, h0_3b, h10, h10b,
+      h11, h11b, h12, h12b, h1_2, h1_2b, h1_3, h1_3b, h2, h2_2, h2_2b, h2_3, h2_3b, h2b, h3, h3_2,
+      h3_2b, h3b, hb, k4, k4b, k7, k7b, kappa, kappab, kx, kxb, moment0b, moment1b, moment2b, mux,
+      muxb, muy, muyb, n2, n2b, normal0, normal0b, normal1, normal2, normal2b, omega, omegab, one0,
+      one0b, one1, one1b, one2, one2b, one3, one3b, one4, one4b, p10, p10b, p2, p2b, p3, p3b, p4,
+      p4b, p5, p5b, p6, p6b, p7, p7b, p8, p8b, p9, p9b, p_road, p_road2, p_road2b, p_road3,
+      p_road3b, p_road4, p_road4b, p_road5, p_road5b, p_road6, p_road6b, p_roadb, p_roadk5,
+      p_roadk51, p_roadk51b, p_roadk5b, p_roadk8, p_roadk81, p_roadk81b, p_roadk8b, p_roadroad,
+      p_roadroad2, p_roadroad2b, p_roadroadb, peak, peakb, r0, r0b, r2, r2b, r30, r30b, r31, r31b,
+      r32, r32b, radius, radius2, radius2b, radiusb, ratio, ratio2, ratio2b, ratiob, re, re2, re2b,
+      reb, rhov, rhovb, s, s20, s20b, s30, s30b, s31, s31b, s4, s4b, sb, scale, scaleb, side, slope,
+      slope2, slope2_2, slope2_2b, slope2b, slope3, slope3b, slopeb, speed, speed2, speed2b, speedb,
+      spline0_roadk50, spline0_roadk50b, spline0_roadk510, spline0_roadk510b, spline0_roadk80,
+      spline0_roadk80b, spline0_roadk810, spline0_roadk810b, t10, t100, t100b, t101, t101b, t102,
+      t102b, t103, t103b, t104, t104b, t105, t105b, t106, t106b, t107, t107b, t108, t108b, t109,
+      t109b, t10b, t11, t110, t110b, t111, t111b, t112, t112b, t113, t113b, t114, t114b, t115,
+      t115b, t116, t116b, t117, t117b, t118, t118b, t119, t119b, t11b, t12, t120, t120b, t121b,
+      t12b, t13, t13b, t14, t14b, t15, t15b, t16, t16b, t17, t17b, t18, t18b, t19, t19b, t2, t20,
+      t20b, t21, t21b, t22, t22b, t23, t23b, t24, t24b, t25, t25b, t26, t26b, t27, t27b, t28, t28b,
+      t29, t29b, t2b, t3, t30, t30b, t31, t31b, t32, t32b, t33, t33b, t34, t34b, t35, t35b, t36,
+      t36b, t37, t37b, t38, t38b, t39, t39b, t3b, t4, t40, t40b, t41, t41b, t42, t42b, t43, t43b,
+      t44, t44b, t45, t45b, t46, t46b, t47, t47b, t48, t48b, t49, t49b, t4b, t5, t50, t50b, t51,
+      t51b, t52, t52b, t53, t53b, t54, t54b, t55, t55b, t56, t56b, t57, t57b, t58, t58b, t59, t59b,
+      t5b, t6, t60, t60b, t61, t61b, t62, t62b, t63, t63b, t64, t64b, t65, t65b, t66, t66b, t67,
+      t67b, t68, t68b, t69, t69b, t6b, t7, t70, t70b, t71, t71b, t72, t72b, t73, t73b, t74, t74b,
+      t75, t75b, t76, t76b, t77, t77b, t78, t78b, t79, t79b, t7b, t8, t80, t80b, t81, t81b, t82,
+      t82b, t83, t83b, t84, t84b, t85, t85b, t86, t86b, t87, t87b, t88, t88b, t89, t89b, t8b, t9,
+      t90, t90b, t91, t91b, t92, t92b, t93, t93b, t94, t94b, t95, t95b, t96, t96b, t97, t97b, t98,
+      t98b, t99, t99b, t9b, tb10, tb100, tb101, tb102, tb103, tb104, tb105, tb106, tb107, tb108,
+      tb109, tb11, tb110, tb111, tb112, tb113, tb114, tb115, tb116, tb117, tb118, tb119, tb12,
+      tb120, tb121, tb122, tb123, tb124, tb125, tb126, tb127, tb128, tb129, tb13, tb130, tb131,
+      tb132, tb133, tb134, tb135, tb136, tb137, tb138, tb139, tb14, tb140, tb141, tb142, tb143,
+      tb144, tb145, tb146, tb147, tb148, tb149, tb15, tb150, tb151, tb152, tb153, tb154, tb155,
+      tb156, tb157, tb158, tb159, tb16, tb160, tb161, tb162, tb163, tb164, tb165, tb166, tb167,
+      tb168, tb169, tb17, tb170, tb171, tb172, tb173, tb174, tb175, tb176, tb177, tb178, tb179,
+      tb18, tb180, tb181, tb182, tb183, tb184, tb185, tb186, tb187, tb188, tb189, tb19, tb190,
+      tb191, tb192, tb193, tb194, tb195, tb196, tb197, tb198, tb199, tb2, tb20, tb200, tb201, tb202,
+      tb203, tb204, tb205, tb206, tb207, tb208, tb209, tb21, tb22, tb23, tb24, tb25, tb26, tb27,
+      tb28, tb29, tb3, tb30, tb31, tb32, tb33, tb34, tb35, tb36, tb37, tb38, tb39, tb4, tb40, tb41,
+      tb42, tb43, tb44, tb45, tb46, tb47, tb48, tb49, tb5, tb50, tb51, tb52, tb53, tb54, tb55, tb56,
+      tb57, tb58, tb59, tb6, tb60, tb61, tb62, tb63, tb64, tb65, tb66, tb67, tb68, tb69, tb7, tb70,
+      tb71, tb72, tb73, tb74, tb75, tb76, tb77, tb78, tb79, tb8, tb80, tb81, tb82, tb83, tb84, tb85,
+      tb86, tb87, tb88, tb89, tb9, tb90, tb91, tb92, tb93, tb94, tb95, tb96, tb97, tb98, tb99, u0,
+      u0b, u1, u1b, u2, u2_2, u2_2b, u2b, u3, u3b, ua0, ua0b, ua1, ua1b, ua2, ua2b, un0, un0b, un1,
+      un1b, un2, un2b, v0, v0b, v1, v1b, v2, v2b, vr0, vr0b, vr1, vr1b, vr2, vr2b, vx, vxb, w, w2,
+      w2b, w3, w3b, way, way2, way3, way3b, wb, wr0, wr0b, wr1, wr1b, wr2, wr2b, x, x2, x2b, x3,
+      x3b, x4, x4b, x50, x50b, x51, x51b, x52, x52b, x53, x53b, x54, x54b, x55, x55b, x6, x6b, x7,
+      x7b, x8, x8b, x9, x9b, xb, y, y10, y10b, y11, y11b, y12, y12b, y13, y13b, y14, y14b, y15,
+      y15b, y16, y16b, y17, y17b, y18, y18b, y19, y19b, y2, y20, y20b, y2b, y3, y3b, y40, y40b, y41,
+      y41b, y42, y42b, y43, y43b, y44, y44b, y45, y45b, y5, y5b, y6, y6b, y7, y7b, y8, y8b, y9, y9b,
+      yb, z0, z0b, z1, z1b, z2, z2_2, z2_2b, z2_3, z2_3b, z2b, z3, z3_2, z3_2b, z3_3, z3_3b, z3b,
+      z40, z40b, z41b, z5, z5b, z6, z6b, z7, z7b;
+
+  for (i = t->nwheel - 1; i >= 0; --i) {
+    a = t->wheelbody[i];
+    road = t->wheelroad[i];
+    point = t->wheelpoint[i];
+    side = t->wheelmirror[i] ? -1.0 : 1.0;
+    axis0 = p[t->wheelaxis[i]];
+    axis1 = p[t->wheelaxis[i] + 1];
+    axis2 = p[t->wheelaxis[i] + 2];
+    ua0 = A[a][0] * axis0 + A[a][1] * axis1 + A[a][2] * axis2;
+    ua1 = A[a][3] * axis0 + A[a][4] * axis1 + A[a][5] * axis2;
+    ua2 = A[a][6] * axis0 + A[a][7] * axis1 + A[a][8] * axis2;
+    t2 = ua0 * ua0 + ua1 * ua1 + ua2 * ua2;
+    n2 = sqrt(t2);
+    u0 = ua0 / n2;
+    u1 = ua1 / n2;
+    u2_2 = ua2 / n2;
+    g0 = r[point][0] - r[t->roadpoint[road]][0];
+    g2_2 = r[point][2] - r[t->roadpoint[road]][2];
+    x2 = g0;
+    if (t->roadkind[road] == MAGGI_ROAD_FLAT) {
+      p_road = p[t->roadadr[road]];
+      h00 = p_road * x2;
+    } else if (t->roadkind[road] == MAGGI_ROAD_SINE) {
+      k4 = 6.28318530717958647693 / p[t->roadadr[road] + 1];
+      t3 = k4 * x2;
+      t4 = sin(t3);
+      p_road2 = p[t->roadadr[road]];
+      h00 = p_road2 * t4;
+    } else if (t->roadkind[road] == MAGGI_ROAD_BUMPS) {
+      k3 = nearest_nodiff(t->np, p, t->roadadr[road], t->roadn[road], x2);
+      x3 = x2 - p[t->roadadr[road] + MAGGI_BUMPS_FIRST] - k3 * p[t->roadadr[road] +
+          MAGGI_BUMPS_SPACING];
+      radius = p[t->roadadr[road]];
+      base = radius - p[t->roadadr[road] + MAGGI_BUMPS_HEIGHT];
+      t5 = radius * radius - base * base;
+      c2 = sqrt(t5);
+      f2 = 0.5 * p[t->roadadr[road] + MAGGI_BUMPS_FILLET];
+      if (MAGGI_RE(x3) > 0.0) {
+        way = 1.0;
       } else {
-        y2 = e2;
+        way = -1.0;
       }
-      ex = y2;
-    } else {
-      e3 = e * (1.0 + p[t->tyreadr[i] + MAGGI_TYRE_PEX4]);
-      if (MAGGI_RE(e3) > 1.0) {
-        y3 = 1.0;
+      y = way * x3;
+      if (MAGGI_RE(y) >= MAGGI_RE(c2 + f2)) {
+        b0 = 0.0;
+      } else if (MAGGI_RE(y) > MAGGI_RE(c2 - f2)) {
+        t6 = radius * radius - (c2 - f2) * (c2 - f2);
+        z2 = sqrt(t6);
+        h0_2 = z2 - base;
+        h1_2 = 2.0 * f2 * (c2 - f2) / z2;
+        a2 = 3.0 * h0_2 - h1_2;
+        t7 = z2 * z2 * z2;
+        t8 = 2.0 * f2 * f2 * radius * radius / t7;
+        b2 = 6.0 * h0_2 - 3.0 * h1_2 - t8;
+        t9 = 2.0 * f2;
+        u2 = (c2 + f2 - y) / t9;
+        w2 = 1.0 - u2;
+        b0 = u2 * u2 * u2 * (h0_2 + w2 * (a2 + w2 * b2));
       } else {
-        y3 = e3;
+        t10 = radius * radius - y * y;
+        z2_3 = sqrt(t10);
+        b0 = z2_3 - base;
       }
-      ex = y3;
-    }
-    t2 = p[t->tyreadr[i] + MAGGI_TYRE_PKX3] * dfz;
-    t3 = exp(t2);
-    stiff = fz * (p[t->tyreadr[i] + MAGGI_TYRE_PKX1] + p[t->tyreadr[i] + MAGGI_TYRE_PKX2] * dfz) *
-        t3 * p[t->tyreadr[i] + MAGGI_TYRE_LKX];
-    t4 = cx * dx;
-    bx = stiff / t4;
-    svx = fz * (p[t->tyreadr[i] + MAGGI_TYRE_PVX1] + p[t->tyreadr[i] + MAGGI_TYRE_PVX2] * dfz) *
-        p[t->tyreadr[i] + MAGGI_TYRE_LVX] * p[t->tyreadr[i] + MAGGI_TYRE_LMUX];
-    y4 = bx * kx;
-    t5 = atan(y4);
-    t6 = (1.0 - ex) * y4 + ex * t5;
-    t7 = atan(t6);
-    t8 = cx * t7;
-    t9 = sin(t8);
-    x0 = dx * t9 + svx;
-    x1 = stiff;
-    fz0_2 = p[t->tyreadr[i] + MAGGI_TYRE_LFZO] * p[t->tyreadr[i]];
-    gy = gamma * p[t->tyreadr[i] + MAGGI_TYRE_LGAY];
-    shy = (p[t->tyreadr[i] + MAGGI_TYRE_PHY1] + p[t->tyreadr[i] + MAGGI_TYRE_PHY2] * dfz) *
-        p[t->tyreadr[i] + MAGGI_TYRE_LHY] + p[t->tyreadr[i] + MAGGI_TYRE_PHY3] * gy;
-    ay = a + shy;
-    cy = p[t->tyreadr[i] + MAGGI_TYRE_PCY1] * p[t->tyreadr[i] + MAGGI_TYRE_LCY];
-    muy = (p[t->tyreadr[i] + MAGGI_TYRE_PDY1] + p[t->tyreadr[i] + MAGGI_TYRE_PDY2] * dfz) * (1.0 -
-        p[t->tyreadr[i] + MAGGI_TYRE_PDY3] * gy * gy) * p[t->tyreadr[i] + MAGGI_TYRE_LMUY];
-    dy = muy * fz;
-    e4 = (p[t->tyreadr[i] + MAGGI_TYRE_PEY1] + p[t->tyreadr[i] + MAGGI_TYRE_PEY2] * dfz) *
-        p[t->tyreadr[i] + MAGGI_TYRE_LEY];
-    if (MAGGI_RE(ay) > 0.0) {
-      e5 = e4 * (1.0 - (p[t->tyreadr[i] + MAGGI_TYRE_PEY3] + p[t->tyreadr[i] + MAGGI_TYRE_PEY4] *
-          gy));
-      if (MAGGI_RE(e5) > 1.0) {
-        y5 = 1.0;
+      h00 = b0;
+    } else {
+      k5 = maggi_piece(t->np, p, t->roadadr[road], t->roadn[road], x2);
+      if (k5 < 0) {
+        p_road3 = p[t->roadadr[road]];
+        h = p[t->roadadr[road] + 1] - p_road3;
+        p_roadroad = p[t->roadadr[road] + t->roadn[road]];
+        t11 = (p[t->roadadr[road] + t->roadn[road] + 1] - p_roadroad) / h;
+        slope = t11 - h / 6.0 * (2.0 * spline0[t->roadspline[road]][0] + spline0[t->roadspline[road]
+            + 1][0]);
+        s20 = p_roadroad + slope * (x2 - p_road3);
+      } else if (k5 > t->roadn[road] - 2) {
+        p2 = p[t->roadadr[road] + t->roadn[road] - 1];
+        h3 = p2 - p[t->roadadr[road] + t->roadn[road] - 2];
+        p3 = p[t->roadadr[road] + t->roadn[road] + t->roadn[road] - 1];
+        t12 = (p3 - p[t->roadadr[road] + t->roadn[road] + t->roadn[road] - 2]) / h3;
+        slope3 = t12 + h3 / 6.0 * (spline0[t->roadspline[road] + t->roadn[road] - 2][0] + 2.0 *
+            spline0[t->roadspline[road] + t->roadn[road] - 1][0]);
+        s20 = p3 + slope3 * (x2 - p2);
       } else {
-        y5 = e5;
+        p_roadk51 = p[t->roadadr[road] + k5 + 1];
+        p_roadk5 = p[t->roadadr[road] + k5];
+        h3_2 = p_roadk51 - p_roadk5;
+        a3 = p_roadk51 - x2;
+        c3 = x2 - p_roadk5;
+        p4 = p[t->roadadr[road] + t->roadn[road] + k5];
+        t13 = (p[t->roadadr[road] + t->roadn[road] + k5 + 1] - p4) / h3_2;
+        spline0_roadk510 = spline0[t->roadspline[road] + k5 + 1][0];
+        spline0_roadk50 = spline0[t->roadspline[road] + k5][0];
+        e = t13 - h3_2 / 6.0 * (spline0_roadk510 - spline0_roadk50);
+        t14 = 6.0 * h3_2;
+        t15 = (spline0_roadk50 * a3 * a3 * a3 + spline0_roadk510 * c3 * c3 * c3) / t14;
+        s20 = t15 + p4 - spline0_roadk50 * h3_2 * h3_2 / 6.0 + e * c3;
       }
-      ey = y5;
-    } else {
-      e6 = e4 * (1.0 + (p[t->tyreadr[i] + MAGGI_TYRE_PEY3] + p[t->tyreadr[i] + MAGGI_TYRE_PEY4] *
-          gy));
-      if (MAGGI_RE(e6) > 1.0) {
-        y6 = 1.0;
+      h00 = s20;
+    }
+    t16 = u0 * u0 + u1 * u1;
+    t17 = u2_2 * u0 / t16;
+    x = g0 + t17 * (g2_2 - h00);
+    if (t->roadkind[road] == MAGGI_ROAD_FLAT) {
+      p_road4 = p[t->roadadr[road]];
+      h10 = p_road4 * x;
+      h11 = p_road4;
+      h12 = 0.0;
+    } else if (t->roadkind[road] == MAGGI_ROAD_SINE) {
+      k7 = 6.28318530717958647693 / p[t->roadadr[road] + 1];
+      t18 = k7 * x;
+      t19 = sin(t18);
+      p_road5 = p[t->roadadr[road]];
+      h10 = p_road5 * t19;
+      t20 = k7 * x;
+      t21 = cos(t20);
+      h11 = k7 * p_road5 * t21;
+      h12 = 0.0;
+    } else if (t->roadkind[road] == MAGGI_ROAD_BUMPS) {
+      k6 = nearest_nodiff(t->np, p, t->roadadr[road], t->roadn[road], x);
+      x4 = x - p[t->roadadr[road] + MAGGI_BUMPS_FIRST] - k6 * p[t->roadadr[road] +
+          MAGGI_BUMPS_SPACING];
+      radius2 = p[t->roadadr[road]];
+      base2 = radius2 - p[t->roadadr[road] + MAGGI_BUMPS_HEIGHT];
+      t22 = radius2 * radius2 - base2 * base2;
+      c4 = sqrt(t22);
+      f3 = 0.5 * p[t->roadadr[road] + MAGGI_BUMPS_FILLET];
+      if (MAGGI_RE(x4) > 0.0) {
+        way2 = 1.0;
       } else {
-        y6 = e6;
+        way2 = -1.0;
       }
-      ey = y6;
-    }
-    t10 = p[t->tyreadr[i] + MAGGI_TYRE_PKY2] * fz0_2;
-    z2 = fz / t10;
-    if (MAGGI_RE(gy) > MAGGI_RE(p[t->tyreadr[i] + MAGGI_TYRE_LOW_CAMBER])) {
-      y7 = gy;
-    } else if (MAGGI_RE(gy) < -MAGGI_RE(p[t->tyreadr[i] + MAGGI_TYRE_LOW_CAMBER])) {
-      y7 = -gy;
-    } else {
-      p2 = p[t->tyreadr[i] + MAGGI_TYRE_LOW_CAMBER];
-      t11 = p2 * p2;
-      z3 = gy * gy / t11;
-      y7 = 0.125 * p2 * z3 * (15.0 + z3 * (-10.0 + 3.0 * z3));
-    }
-    t12 = 1.0 + z2 * z2;
-    t13 = 2.0 * z2 / t12;
-    stiff2 = p[t->tyreadr[i] + MAGGI_TYRE_PKY1] * fz0_2 * t13 * (1.0 - p[t->tyreadr[i] +
-        MAGGI_TYRE_PKY3] * y7) * p[t->tyreadr[i] + MAGGI_TYRE_LKY];
-    t14 = cy * dy;
-    by = stiff2 / t14;
-    svy = fz * ((p[t->tyreadr[i] + MAGGI_TYRE_PVY1] + p[t->tyreadr[i] + MAGGI_TYRE_PVY2] * dfz) *
-        p[t->tyreadr[i] + MAGGI_TYRE_LVY] + (p[t->tyreadr[i] + MAGGI_TYRE_PVY3] + p[t->tyreadr[i] +
-        MAGGI_TYRE_PVY4] * dfz) * gy) * p[t->tyreadr[i] + MAGGI_TYRE_LMUY];
-    y8 = by * ay;
-    t15 = atan(y8);
-    t16 = (1.0 - ey) * y8 + ey * t15;
-    t17 = atan(t16);
-    t18 = cy * t17;
-    t19 = sin(t18);
-    y0 = dy * t19 + svy;
-    y1 = stiff2;
-    y2_2 = muy;
-    y3_2 = by * cy;
-    t20 = svy / stiff2;
-    y4_2 = shy + t20;
-    muy2 = y2_2;
-    x2 = p[t->tyreadr[i] + MAGGI_TYRE_RBY2] * (a - p[t->tyreadr[i] + MAGGI_TYRE_RBY3]);
-    t21 = 1.0 + x2 * x2;
-    t22 = sqrt(t21);
-    t23 = 1.0 / t22;
-    stiff3 = p[t->tyreadr[i] + MAGGI_TYRE_RBY1] * t23 * p[t->tyreadr[i] + MAGGI_TYRE_LYKA];
-    e8 = p[t->tyreadr[i] + MAGGI_TYRE_REY1] + p[t->tyreadr[i] + MAGGI_TYRE_REY2] * dfz;
-    if (MAGGI_RE(e8) > 1.0) {
-      y9 = 1.0;
-    } else {
-      y9 = e8;
-    }
-    e7 = y9;
-    s2 = p[t->tyreadr[i] + MAGGI_TYRE_RHY1] + p[t->tyreadr[i] + MAGGI_TYRE_RHY2] * dfz;
-    x3 = p[t->tyreadr[i] + MAGGI_TYRE_RVY4] * a;
-    t24 = 1.0 + x3 * x3;
-    t25 = sqrt(t24);
-    t26 = 1.0 / t25;
-    dv = muy2 * fz * (p[t->tyreadr[i] + MAGGI_TYRE_RVY1] + p[t->tyreadr[i] + MAGGI_TYRE_RVY2] * dfz
-        + p[t->tyreadr[i] + MAGGI_TYRE_RVY3] * gamma) * t26;
-    y10 = stiff3 * (kappa + s2);
-    y11 = stiff3 * s2;
-    t27 = atan(y10);
-    t28 = (1.0 - e7) * y10 + e7 * t27;
-    t29 = atan(t28);
-    p3 = p[t->tyreadr[i] + MAGGI_TYRE_RCY1];
-    t30 = p3 * t29;
-    t31 = cos(t30);
-    t32 = atan(y11);
-    t33 = (1.0 - e7) * y11 + e7 * t32;
-    t34 = atan(t33);
-    t35 = p3 * t34;
-    t36 = cos(t35);
-    g0 = t31 / t36;
-    t37 = p[t->tyreadr[i] + MAGGI_TYRE_RVY6] * kappa;
-    t38 = atan(t37);
-    t39 = p[t->tyreadr[i] + MAGGI_TYRE_RVY5] * t38;
-    t40 = sin(t39);
-    g1 = dv * t40 * p[t->tyreadr[i] + MAGGI_TYRE_LVYKA];
-    x4 = p[t->tyreadr[i] + MAGGI_TYRE_RBX2] * kappa;
-    t41 = 1.0 + x4 * x4;
-    t42 = sqrt(t41);
-    t43 = 1.0 / t42;
-    stiff4 = p[t->tyreadr[i] + MAGGI_TYRE_RBX1] * t43 * p[t->tyreadr[i] + MAGGI_TYRE_LXAL];
-    e10 = p[t->tyreadr[i] + MAGGI_TYRE_REX1] + p[t->tyreadr[i] + MAGGI_TYRE_REX2] * dfz;
-    if (MAGGI_RE(e10) > 1.0) {
-      y12 = 1.0;
-    } else {
-      y12 = e10;
-    }
-    e9 = y12;
-    p4 = p[t->tyreadr[i] + MAGGI_TYRE_RHX1];
-    y13 = stiff4 * (a + p4);
-    y14 = stiff4 * p4;
-    t44 = atan(y13);
-    t45 = (1.0 - e9) * y13 + e9 * t44;
-    t46 = atan(t45);
-    p5 = p[t->tyreadr[i] + MAGGI_TYRE_RCX1];
-    t47 = p5 * t46;
-    t48 = cos(t47);
-    t49 = atan(y14);
-    t50 = (1.0 - e9) * y14 + e9 * t49;
-    t51 = atan(t50);
-    t52 = p5 * t51;
-    t53 = cos(t52);
-    t54 = t48 / t53;
-    fx = f[i][0];
-    fy = f[i][1];
-    ratio = x1 * kappa / y1;
-    bycy = y3_2;
-    shift = y4_2;
-    fz0_3 = p[t->tyreadr[i] + MAGGI_TYRE_LFZO] * p[t->tyreadr[i]];
-    gz = gamma * p[t->tyreadr[i] + MAGGI_TYRE_LGAZ];
-    at = a + p[t->tyreadr[i] + MAGGI_TYRE_QHZ1] + p[t->tyreadr[i] + MAGGI_TYRE_QHZ2] * dfz +
-        (p[t->tyreadr[i] + MAGGI_TYRE_QHZ3] + p[t->tyreadr[i] + MAGGI_TYRE_QHZ4] * dfz) * gz;
-    ar = a + shift;
-    t55 = at * at + ratio * ratio + 1e-24;
-    ateq = sqrt(t55);
-    t56 = ar * ar + ratio * ratio + 1e-24;
-    areq = sqrt(t56);
-    if (MAGGI_RE(gz) > MAGGI_RE(p[t->tyreadr[i] + MAGGI_TYRE_LOW_CAMBER])) {
-      y15 = gz;
-    } else if (MAGGI_RE(gz) < -MAGGI_RE(p[t->tyreadr[i] + MAGGI_TYRE_LOW_CAMBER])) {
-      y15 = -gz;
-    } else {
-      p6 = p[t->tyreadr[i] + MAGGI_TYRE_LOW_CAMBER];
-      t57 = p6 * p6;
-      z4 = gz * gz / t57;
-      y15 = 0.125 * p6 * z4 * (15.0 + z4 * (-10.0 + 3.0 * z4));
-    }
-    bt = (p[t->tyreadr[i] + MAGGI_TYRE_QBZ1] + p[t->tyreadr[i] + MAGGI_TYRE_QBZ2] * dfz +
-        p[t->tyreadr[i] + MAGGI_TYRE_QBZ3] * dfz * dfz) * (1.0 + p[t->tyreadr[i] + MAGGI_TYRE_QBZ4]
-        * gz + p[t->tyreadr[i] + MAGGI_TYRE_QBZ5] * y15) * p[t->tyreadr[i] + MAGGI_TYRE_LKY] /
-        p[t->tyreadr[i] + MAGGI_TYRE_LMUY];
-    t58 = p[t->tyreadr[i] + MAGGI_TYRE_UNLOADED_RADIUS] / fz0_3;
-    dt = fz * (p[t->tyreadr[i] + MAGGI_TYRE_QDZ1] + p[t->tyreadr[i] + MAGGI_TYRE_QDZ2] * dfz) * (1.0
-        + p[t->tyreadr[i] + MAGGI_TYRE_QDZ3] * gz + p[t->tyreadr[i] + MAGGI_TYRE_QDZ4] * gz * gz) *
-        t58 * p[t->tyreadr[i] + MAGGI_TYRE_LTR];
-    t59 = bt * p[t->tyreadr[i] + MAGGI_TYRE_QCZ1] * at;
-    t60 = atan(t59);
-    e11 = (p[t->tyreadr[i] + MAGGI_TYRE_QEZ1] + p[t->tyreadr[i] + MAGGI_TYRE_QEZ2] * dfz +
-        p[t->tyreadr[i] + MAGGI_TYRE_QEZ3] * dfz * dfz) * (1.0 + (p[t->tyreadr[i] + MAGGI_TYRE_QEZ4]
-        + p[t->tyreadr[i] + MAGGI_TYRE_QEZ5] * gz) * 0.63661977236758134308 * t60);
-    if (MAGGI_RE(e11) > 1.0) {
-      y16 = 1.0;
-    } else {
-      y16 = e11;
-    }
-    et = y16;
-    p7 = p[t->tyreadr[i] + MAGGI_TYRE_LMUY];
-    t61 = p[t->tyreadr[i] + MAGGI_TYRE_QBZ9] * p[t->tyreadr[i] + MAGGI_TYRE_LKY] / p7;
-    br = t61 + p[t->tyreadr[i] + MAGGI_TYRE_QBZ10] * bycy;
-    dr = fz * ((p[t->tyreadr[i] + MAGGI_TYRE_QDZ6] + p[t->tyreadr[i] + MAGGI_TYRE_QDZ7] * dfz) *
-        p[t->tyreadr[i] + MAGGI_TYRE_LRES] + (p[t->tyreadr[i] + MAGGI_TYRE_QDZ8] + p[t->tyreadr[i] +
-        MAGGI_TYRE_QDZ9] * dfz) * gz) * p[t->tyreadr[i] + MAGGI_TYRE_UNLOADED_RADIUS] * p7;
-    t62 = 1.0 + a * a;
-    t63 = sqrt(t62);
-    ca = 1.0 / t63;
-    y17 = bt * ateq;
-    t64 = atan(y17);
-    t65 = (1.0 - et) * y17 + et * t64;
-    t66 = atan(t65);
-    t67 = p[t->tyreadr[i] + MAGGI_TYRE_QCZ1] * t66;
-    t68 = cos(t67);
-    z0 = dt * t68 * ca;
-    x5 = br * areq;
-    t69 = 1.0 + x5 * x5;
-    t70 = sqrt(t69);
-    t71 = 1.0 / t70;
-    t72 = p[t->tyreadr[i] + MAGGI_TYRE_SSZ2] * fy / fz0;
-    s = (p[t->tyreadr[i] + MAGGI_TYRE_SSZ1] + t72 + (p[t->tyreadr[i] + MAGGI_TYRE_SSZ3] +
-        p[t->tyreadr[i] + MAGGI_TYRE_SSZ4] * dfz) * gamma) * r0 * p[t->tyreadr[i] + MAGGI_TYRE_LS];
-    slip_i4 = slip[i][4];
-    t73 = slip_i4 / p[t->tyreadr[i] + MAGGI_TYRE_LOW_SPEED];
-    way = tanh(t73);
-    speed = slip_i4 / p[t->tyreadr[i] + MAGGI_TYRE_LONGVL];
-    t74 = p[t->tyreadr[i] + MAGGI_TYRE_QSX3] * fy / fz0;
-    t75 = p[t->tyreadr[i] + MAGGI_TYRE_QSY2] * fx / fz0;
-    tb108 = fb[i][5];
-    fb[i][5] = 0.0;
-    z0b = -(tb108 * (fy - g1));
-    tb109 = tb108 * z0;
-    fyb = -tb109;
-    g1b = tb109;
-    z1b = tb108;
-    sb = tb108 * fx;
-    fxb = tb108 * s;
-    tb99 = fb[i][4];
-    fb[i][4] = 0.0;
-    tb100 = tb99 * p[t->tyreadr[i] + MAGGI_TYRE_LMY];
-    tb101 = tb100 * (p[t->tyreadr[i] + MAGGI_TYRE_QSY1] + t75 + p[t->tyreadr[i] + MAGGI_TYRE_QSY3] *
-        way * speed + p[t->tyreadr[i] + MAGGI_TYRE_QSY4] * speed * speed * speed * speed);
-    tb102 = tb101 * fz;
-    wayb = -(tb102 * r0);
-    r0b = -(tb102 * way);
-    fzb = tb101 * (-way * r0);
-    tb103 = tb100 * (-way * r0 * fz);
-    pb[t->tyreadr[i] + MAGGI_TYRE_QSY1] += tb103;
-    t75b = tb103;
-    tb104 = tb103 * speed;
-    pb[t->tyreadr[i] + MAGGI_TYRE_QSY3] += tb104 * way;
-    wayb += tb104 * p[t->tyreadr[i] + MAGGI_TYRE_QSY3];
-    speedb = tb103 * (p[t->tyreadr[i] + MAGGI_TYRE_QSY3] * way);
-    tb105 = tb103 * speed;
-    tb106 = tb105 * speed;
-    tb107 = tb106 * speed;
-    pb[t->tyreadr[i] + MAGGI_TYRE_QSY4] += tb107 * speed;
-    speedb += tb107 * p[t->tyreadr[i] + MAGGI_TYRE_QSY4];
-    speedb += tb106 * (p[t->tyreadr[i] + MAGGI_TYRE_QSY4] * speed);
-    speedb += tb105 * (p[t->tyreadr[i] + MAGGI_TYRE_QSY4] * speed * speed);
-    speedb += tb103 * (p[t->tyreadr[i] + MAGGI_TYRE_QSY4] * speed * speed * speed);
-    pb[t->tyreadr[i] + MAGGI_TYRE_LMY] += tb99 * (-way * r0 * fz * (p[t->tyreadr[i] +
-        MAGGI_TYRE_QSY1] + t75 + p[t->tyreadr[i] + MAGGI_TYRE_QSY3] * way * speed + p[t->tyreadr[i]
-        + MAGGI_TYRE_QSY4] * speed * speed * speed * speed));
-    tb98 = t75b / fz0;
-    pb[t->tyreadr[i] + MAGGI_TYRE_QSY2] += tb98 * fx;
-    fxb += tb98 * p[t->tyreadr[i] + MAGGI_TYRE_QSY2];
-    fz0b = -(tb98 * t75);
-    tb94 = fb[i][3];
-    fb[i][3] = 0.0;
-    tb95 = tb94 * (p[t->tyreadr[i] + MAGGI_TYRE_QSX1] * p[t->tyreadr[i] + MAGGI_TYRE_LVMX] +
-        (-p[t->tyreadr[i] + MAGGI_TYRE_QSX2] * gamma + t74) * p[t->tyreadr[i] + MAGGI_TYRE_LMX]);
-    r0b += tb95 * fz;
-    fzb += tb95 * r0;
-    tb96 = tb94 * (r0 * fz);
-    pb[t->tyreadr[i] + MAGGI_TYRE_QSX1] += tb96 * p[t->tyreadr[i] + MAGGI_TYRE_LVMX];
-    pb[t->tyreadr[i] + MAGGI_TYRE_LVMX] += tb96 * p[t->tyreadr[i] + MAGGI_TYRE_QSX1];
-    tb97 = tb96 * p[t->tyreadr[i] + MAGGI_TYRE_LMX];
-    pb[t->tyreadr[i] + MAGGI_TYRE_QSX2] -= tb97 * gamma;
-    gammab = -(tb97 * p[t->tyreadr[i] + MAGGI_TYRE_QSX2]);
-    t74b = tb97;
-    pb[t->tyreadr[i] + MAGGI_TYRE_LMX] += tb96 * (-p[t->tyreadr[i] + MAGGI_TYRE_QSX2] * gamma +
-        t74);
-    tb93 = t74b / fz0;
-    pb[t->tyreadr[i] + MAGGI_TYRE_QSX3] += tb93 * fy;
-    fyb += tb93 * p[t->tyreadr[i] + MAGGI_TYRE_QSX3];
-    fz0b -= tb93 * t74;
-    fzb += fb[i][2];
-    fb[i][2] = 0.0;
-    fyb += fb[i][1];
-    fb[i][1] = 0.0;
-    fxb += fb[i][0];
-    fb[i][0] = 0.0;
-    tb92 = speedb / p[t->tyreadr[i] + MAGGI_TYRE_LONGVL];
-    slip_i4b = tb92;
-    pb[t->tyreadr[i] + MAGGI_TYRE_LONGVL] -= tb92 * speed;
-    t73b = wayb * (1.0 - way * way);
-    tb91 = t73b / p[t->tyreadr[i] + MAGGI_TYRE_LOW_SPEED];
-    slip_i4b += tb91;
-    pb[t->tyreadr[i] + MAGGI_TYRE_LOW_SPEED] -= tb91 * t73;
-    slipb[i][4] += slip_i4b;
-    tb88 = sb * p[t->tyreadr[i] + MAGGI_TYRE_LS];
-    tb89 = tb88 * r0;
-    pb[t->tyreadr[i] + MAGGI_TYRE_SSZ1] += tb89;
-    t72b = tb89;
-    tb90 = tb89 * gamma;
-    pb[t->tyreadr[i] + MAGGI_TYRE_SSZ3] += tb90;
-    pb[t->tyreadr[i] + MAGGI_TYRE_SSZ4] += tb90 * dfz;
-    dfzb = tb90 * p[t->tyreadr[i] + MAGGI_TYRE_SSZ4];
-    gammab += tb89 * (p[t->tyreadr[i] + MAGGI_TYRE_SSZ3] + p[t->tyreadr[i] + MAGGI_TYRE_SSZ4] *
-        dfz);
-    r0b += tb88 * (p[t->tyreadr[i] + MAGGI_TYRE_SSZ1] + t72 + (p[t->tyreadr[i] + MAGGI_TYRE_SSZ3] +
-        p[t->tyreadr[i] + MAGGI_TYRE_SSZ4] * dfz) * gamma);
-    pb[t->tyreadr[i] + MAGGI_TYRE_LS] += sb * ((p[t->tyreadr[i] + MAGGI_TYRE_SSZ1] + t72 +
-        (p[t->tyreadr[i] + MAGGI_TYRE_SSZ3] + p[t->tyreadr[i] + MAGGI_TYRE_SSZ4] * dfz) * gamma) *
-        r0);
-    tb87 = t72b / fz0;
-    pb[t->tyreadr[i] + MAGGI_TYRE_SSZ2] += tb87 * fy;
-    fyb += tb87 * p[t->tyreadr[i] + MAGGI_TYRE_SSZ2];
-    fz0b -= tb87 * t72;
-    tb86 = z1b * ca;
-    drb = tb86 * t71;
-    t71b = tb86 * dr;
-    cab = z1b * (dr * t71);
-    tb85 = t71b / t70;
-    t70b = -(tb85 * t71);
-    t69b = t70b * (1.0 / (2.0 * t70));
-    x5b = t69b * x5;
-    x5b += t69b * x5;
-    brb = x5b * areq;
-    areqb = x5b * br;
-    tb84 = z0b * ca;
-    dtb = tb84 * t68;
-    t68b = tb84 * dt;
-    cab += z0b * (dt * t68);
-    t67b = -(t68b * sin(t67));
-    pb[t->tyreadr[i] + MAGGI_TYRE_QCZ1] += t67b * t66;
-    t66b = t67b * p[t->tyreadr[i] + MAGGI_TYRE_QCZ1];
-    t65b = t66b * (1.0 / (1.0 + t65 * t65));
-    etb = -(t65b * y17);
-    y17b = t65b * (1.0 - et);
-    etb += t65b * t64;
-    t64b = t65b * et;
-    y17b += t64b * (1.0 / (1.0 + y17 * y17));
-    /* C atan(B x - E (B x - atan(B x))), without a difference where E is 1 */
-    btb = y17b * ateq;
-    ateqb = y17b * bt;
-    tb83 = cab / t63;
-    t63b = -(tb83 * ca);
-    t62b = t63b * (1.0 / (2.0 * t63));
-    ab = t62b * a;
-    ab += t62b * a;
-    tb78 = drb * p7;
-    tb79 = tb78 * p[t->tyreadr[i] + MAGGI_TYRE_UNLOADED_RADIUS];
-    fzb += tb79 * ((p[t->tyreadr[i] + MAGGI_TYRE_QDZ6] + p[t->tyreadr[i] + MAGGI_TYRE_QDZ7] * dfz) *
-        p[t->tyreadr[i] + MAGGI_TYRE_LRES] + (p[t->tyreadr[i] + MAGGI_TYRE_QDZ8] + p[t->tyreadr[i] +
-        MAGGI_TYRE_QDZ9] * dfz) * gz);
-    tb80 = tb79 * fz;
-    tb81 = tb80 * p[t->tyreadr[i] + MAGGI_TYRE_LRES];
-    pb[t->tyreadr[i] + MAGGI_TYRE_QDZ6] += tb81;
-    pb[t->tyreadr[i] + MAGGI_TYRE_QDZ7] += tb81 * dfz;
-    dfzb += tb81 * p[t->tyreadr[i] + MAGGI_TYRE_QDZ7];
-    pb[t->tyreadr[i] + MAGGI_TYRE_LRES] += tb80 * (p[t->tyreadr[i] + MAGGI_TYRE_QDZ6] +
-        p[t->tyreadr[i] + MAGGI_TYRE_QDZ7] * dfz);
-    tb82 = tb80 * gz;
-    pb[t->tyreadr[i] + MAGGI_TYRE_QDZ8] += tb82;
-    pb[t->tyreadr[i] + MAGGI_TYRE_QDZ9] += tb82 * dfz;
-    dfzb += tb82 * p[t->tyreadr[i] + MAGGI_TYRE_QDZ9];
-    gzb = tb80 * (p[t->tyreadr[i] + MAGGI_TYRE_QDZ8] + p[t->tyreadr[i] + MAGGI_TYRE_QDZ9] * dfz);
-    pb[t->tyreadr[i] + MAGGI_TYRE_UNLOADED_RADIUS] += tb78 * (fz * ((p[t->tyreadr[i] +
-        MAGGI_TYRE_QDZ6] + p[t->tyreadr[i] + MAGGI_TYRE_QDZ7] * dfz) * p[t->tyreadr[i] +
-        MAGGI_TYRE_LRES] + (p[t->tyreadr[i] + MAGGI_TYRE_QDZ8] + p[t->tyreadr[i] + MAGGI_TYRE_QDZ9]
-        * dfz) * gz));
-    p7b = drb * (fz * ((p[t->tyreadr[i] + MAGGI_TYRE_QDZ6] + p[t->tyreadr[i] + MAGGI_TYRE_QDZ7] *
-        dfz) * p[t->tyreadr[i] + MAGGI_TYRE_LRES] + (p[t->tyreadr[i] + MAGGI_TYRE_QDZ8] +
-        p[t->tyreadr[i] + MAGGI_TYRE_QDZ9] * dfz) * gz) * p[t->tyreadr[i] +
-        MAGGI_TYRE_UNLOADED_RADIUS]);
-    t61b = brb;
-    pb[t->tyreadr[i] + MAGGI_TYRE_QBZ10] += brb * bycy;
-    bycyb = brb * p[t->tyreadr[i] + MAGGI_TYRE_QBZ10];
-    tb77 = t61b / p7;
-    pb[t->tyreadr[i] + MAGGI_TYRE_QBZ9] += tb77 * p[t->tyreadr[i] + MAGGI_TYRE_LKY];
-    pb[t->tyreadr[i] + MAGGI_TYRE_LKY] += tb77 * p[t->tyreadr[i] + MAGGI_TYRE_QBZ9];
-    p7b -= tb77 * t61;
-    pb[t->tyreadr[i] + MAGGI_TYRE_LMUY] += p7b;
-    y16b = etb;
-    e11b = 0.0;
-    /* a curvature: more than 1 would turn the curve around */
-    if (MAGGI_RE(e11) > 1.0) {
-      y16b = 0.0;
-    } else {
-      e11b += y16b;
-      y16b = 0.0;
-    }
-    tb72 = e11b * (1.0 + (p[t->tyreadr[i] + MAGGI_TYRE_QEZ4] + p[t->tyreadr[i] + MAGGI_TYRE_QEZ5] *
-        gz) * 0.63661977236758134308 * t60);
-    pb[t->tyreadr[i] + MAGGI_TYRE_QEZ1] += tb72;
-    pb[t->tyreadr[i] + MAGGI_TYRE_QEZ2] += tb72 * dfz;
-    dfzb += tb72 * p[t->tyreadr[i] + MAGGI_TYRE_QEZ2];
-    tb73 = tb72 * dfz;
-    pb[t->tyreadr[i] + MAGGI_TYRE_QEZ3] += tb73 * dfz;
-    dfzb += tb73 * p[t->tyreadr[i] + MAGGI_TYRE_QEZ3];
-    dfzb += tb72 * (p[t->tyreadr[i] + MAGGI_TYRE_QEZ3] * dfz);
-    tb74 = e11b * (p[t->tyreadr[i] + MAGGI_TYRE_QEZ1] + p[t->tyreadr[i] + MAGGI_TYRE_QEZ2] * dfz +
-        p[t->tyreadr[i] + MAGGI_TYRE_QEZ3] * dfz * dfz);
-    tb75 = tb74 * t60;
-    tb76 = tb75 * 0.63661977236758134308;
-    pb[t->tyreadr[i] + MAGGI_TYRE_QEZ4] += tb76;
-    pb[t->tyreadr[i] + MAGGI_TYRE_QEZ5] += tb76 * gz;
-    gzb += tb76 * p[t->tyreadr[i] + MAGGI_TYRE_QEZ5];
-    t60b = tb74 * ((p[t->tyreadr[i] + MAGGI_TYRE_QEZ4] + p[t->tyreadr[i] + MAGGI_TYRE_QEZ5] * gz) *
-        0.63661977236758134308);
-    t59b = t60b * (1.0 / (1.0 + t59 * t59));
-    tb71 = t59b * at;
-    btb += tb71 * p[t->tyreadr[i] + MAGGI_TYRE_QCZ1];
-    pb[t->tyreadr[i] + MAGGI_TYRE_QCZ1] += tb71 * bt;
-    atb = t59b * (bt * p[t->tyreadr[i] + MAGGI_TYRE_QCZ1]);
-    tb65 = dtb * p[t->tyreadr[i] + MAGGI_TYRE_LTR];
-    tb66 = tb65 * t58;
-    tb67 = tb66 * (1.0 + p[t->tyreadr[i] + MAGGI_TYRE_QDZ3] * gz + p[t->tyreadr[i] +
-        MAGGI_TYRE_QDZ4] * gz * gz);
-    fzb += tb67 * (p[t->tyreadr[i] + MAGGI_TYRE_QDZ1] + p[t->tyreadr[i] + MAGGI_TYRE_QDZ2] * dfz);
-    tb68 = tb67 * fz;
-    pb[t->tyreadr[i] + MAGGI_TYRE_QDZ1] += tb68;
-    pb[t->tyreadr[i] + MAGGI_TYRE_QDZ2] += tb68 * dfz;
-    dfzb += tb68 * p[t->tyreadr[i] + MAGGI_TYRE_QDZ2];
-    tb69 = tb66 * (fz * (p[t->tyreadr[i] + MAGGI_TYRE_QDZ1] + p[t->tyreadr[i] + MAGGI_TYRE_QDZ2] *
-        dfz));
-    pb[t->tyreadr[i] + MAGGI_TYRE_QDZ3] += tb69 * gz;
-    gzb += tb69 * p[t->tyreadr[i] + MAGGI_TYRE_QDZ3];
-    tb70 = tb69 * gz;
-    pb[t->tyreadr[i] + MAGGI_TYRE_QDZ4] += tb70 * gz;
-    gzb += tb70 * p[t->tyreadr[i] + MAGGI_TYRE_QDZ4];
-    gzb += tb69 * (p[t->tyreadr[i] + MAGGI_TYRE_QDZ4] * gz);
-    t58b = tb65 * (fz * (p[t->tyreadr[i] + MAGGI_TYRE_QDZ1] + p[t->tyreadr[i] + MAGGI_TYRE_QDZ2] *
-        dfz) * (1.0 + p[t->tyreadr[i] + MAGGI_TYRE_QDZ3] * gz + p[t->tyreadr[i] + MAGGI_TYRE_QDZ4] *
-        gz * gz));
-    pb[t->tyreadr[i] + MAGGI_TYRE_LTR] += dtb * (fz * (p[t->tyreadr[i] + MAGGI_TYRE_QDZ1] +
-        p[t->tyreadr[i] + MAGGI_TYRE_QDZ2] * dfz) * (1.0 + p[t->tyreadr[i] + MAGGI_TYRE_QDZ3] * gz +
-        p[t->tyreadr[i] + MAGGI_TYRE_QDZ4] * gz * gz) * t58);
-    tb64 = t58b / fz0_3;
-    pb[t->tyreadr[i] + MAGGI_TYRE_UNLOADED_RADIUS] += tb64;
-    fz0_3b = -(tb64 * t58);
-    tb59 = btb / p[t->tyreadr[i] + MAGGI_TYRE_LMUY];
-    tb60 = tb59 * p[t->tyreadr[i] + MAGGI_TYRE_LKY];
-    tb61 = tb60 * (1.0 + p[t->tyreadr[i] + MAGGI_TYRE_QBZ4] * gz + p[t->tyreadr[i] +
-        MAGGI_TYRE_QBZ5] * y15);
-    pb[t->tyreadr[i] + MAGGI_TYRE_QBZ1] += tb61;
-    pb[t->tyreadr[i] + MAGGI_TYRE_QBZ2] += tb61 * dfz;
-    dfzb += tb61 * p[t->tyreadr[i] + MAGGI_TYRE_QBZ2];
-    tb62 = tb61 * dfz;
-    pb[t->tyreadr[i] + MAGGI_TYRE_QBZ3] += tb62 * dfz;
-    dfzb += tb62 * p[t->tyreadr[i] + MAGGI_TYRE_QBZ3];
-    dfzb += tb61 * (p[t->tyreadr[i] + MAGGI_TYRE_QBZ3] * dfz);
-    tb63 = tb60 * (p[t->tyreadr[i] + MAGGI_TYRE_QBZ1] + p[t->tyreadr[i] + MAGGI_TYRE_QBZ2] * dfz +
-        p[t->tyreadr[i] + MAGGI_TYRE_QBZ3] * dfz * dfz);
-    pb[t->tyreadr[i] + MAGGI_TYRE_QBZ4] += tb63 * gz;
-    gzb += tb63 * p[t->tyreadr[i] + MAGGI_TYRE_QBZ4];
-    pb[t->tyreadr[i] + MAGGI_TYRE_QBZ5] += tb63 * y15;
-    y15b = tb63 * p[t->tyreadr[i] + MAGGI_TYRE_QBZ5];
-    pb[t->tyreadr[i] + MAGGI_TYRE_LKY] += tb59 * ((p[t->tyreadr[i] + MAGGI_TYRE_QBZ1] +
-        p[t->tyreadr[i] + MAGGI_TYRE_QBZ2] * dfz + p[t->tyreadr[i] + MAGGI_TYRE_QBZ3] * dfz * dfz) *
-        (1.0 + p[t->tyreadr[i] + MAGGI_TYRE_QBZ4] * gz + p[t->tyreadr[i] + MAGGI_TYRE_QBZ5] * y15));
-    pb[t->tyreadr[i] + MAGGI_TYRE_LMUY] -= tb59 * bt;
-    /* |x|, with two continuous derivatives:  w (15 y^2 - 10 y^4 + 3 y^6) / 8,  y = x / w,  in |x| < w;  0 at 0,
-     * where straight running is, and exact from w on */
-    if (MAGGI_RE(gz) > MAGGI_RE(p[t->tyreadr[i] + MAGGI_TYRE_LOW_CAMBER])) {
-      gzb += y15b;
-      y15b = 0.0;
-    } else if (MAGGI_RE(gz) < -MAGGI_RE(p[t->tyreadr[i] + MAGGI_TYRE_LOW_CAMBER])) {
-      gzb -= y15b;
-      y15b = 0.0;
-    } else {
-      p6 = p[t->tyreadr[i] + MAGGI_TYRE_LOW_CAMBER];
-      t57 = p6 * p6;
-      z4 = gz * gz / t57;
-      tb57 = y15b * (15.0 + z4 * (-10.0 + 3.0 * z4));
-      p6b = tb57 * z4 * 0.125;
-      z4b = tb57 * (0.125 * p6);
-      tb58 = y15b * (0.125 * p6 * z4);
-      z4b += tb58 * (-10.0 + 3.0 * z4);
-      z4b += tb58 * z4 * 3.0;
-      y15b = 0.0;
-      tb56 = z4b / t57;
-      gzb += tb56 * gz;
-      gzb += tb56 * gz;
-      t57b = -(tb56 * z4);
-      p6b += t57b * p6;
-      p6b += t57b * p6;
-      pb[t->tyreadr[i] + MAGGI_TYRE_LOW_CAMBER] += p6b;
-    }
-    t56b = areqb * (1.0 / (2.0 * areq));
-    arb = t56b * ar;
-    arb += t56b * ar;
-    ratiob = t56b * ratio;
-    ratiob += t56b * ratio;
-    t55b = ateqb * (1.0 / (2.0 * ateq));
-    atb += t55b * at;
-    atb += t55b * at;
-    ratiob += t55b * ratio;
-    ratiob += t55b * ratio;
-    ab += arb;
-    shiftb = arb;
-    ab += atb;
-    pb[t->tyreadr[i] + MAGGI_TYRE_QHZ1] += atb;
-    pb[t->tyreadr[i] + MAGGI_TYRE_QHZ2] += atb * dfz;
-    dfzb += atb * p[t->tyreadr[i] + MAGGI_TYRE_QHZ2];
-    tb55 = atb * gz;
-    pb[t->tyreadr[i] + MAGGI_TYRE_QHZ3] += tb55;
-    pb[t->tyreadr[i] + MAGGI_TYRE_QHZ4] += tb55 * dfz;
-    dfzb += tb55 * p[t->tyreadr[i] + MAGGI_TYRE_QHZ4];
-    gzb += atb * (p[t->tyreadr[i] + MAGGI_TYRE_QHZ3] + p[t->tyreadr[i] + MAGGI_TYRE_QHZ4] * dfz);
-    gammab += gzb * p[t->tyreadr[i] + MAGGI_TYRE_LGAZ];
-    pb[t->tyreadr[i] + MAGGI_TYRE_LGAZ] += gzb * gamma;
-    /* trail t at the slip `at` and residual moment Mzr at `ar`, each with the part `ratio` of kappa:
-     *   at_eq = sqrt(at^2 + ratio^2),  ar_eq likewise; sqrt has no derivative at 0, 1e-24 is added */
-    pb[t->tyreadr[i] + MAGGI_TYRE_LFZO] += fz0_3b * p[t->tyreadr[i]];
-    pb[t->tyreadr[i]] += fz0_3b * p[t->tyreadr[i] + MAGGI_TYRE_LFZO];
-    y4_2b = shiftb;
-    y3_2b = bycyb;
-    tb54 = ratiob / y1;
-    x1b = tb54 * kappa;
-    kappab = tb54 * x1;
-    y1b = -(tb54 * ratio);
-    g0b = fyb * y0;
-    y0b = fyb * g0;
-    g1b += fyb;
-    x0b = fxb * t54;
-    t54b = fxb * x0;
-    tb53 = t54b / t53;
-    t48b = tb53;
-    t53b = -(tb53 * t54);
-    t52b = -(t53b * sin(t52));
-    p5b = t52b * t51;
-    t51b = t52b * p5;
-    t50b = t51b * (1.0 / (1.0 + t50 * t50));
-    e9b = -(t50b * y14);
-    y14b = t50b * (1.0 - e9);
-    e9b += t50b * t49;
-    t49b = t50b * e9;
-    y14b += t49b * (1.0 / (1.0 + y14 * y14));
-    t47b = -(t48b * sin(t47));
-    p5b += t47b * t46;
-    t46b = t47b * p5;
-    pb[t->tyreadr[i] + MAGGI_TYRE_RCX1] += p5b;
-    t45b = t46b * (1.0 / (1.0 + t45 * t45));
-    e9b -= t45b * y13;
-    y13b = t45b * (1.0 - e9);
-    e9b += t45b * t44;
-    t44b = t45b * e9;
-    y13b += t44b * (1.0 / (1.0 + y13 * y13));
-    /* C atan(B x - E (B x - atan(B x))), without a difference where E is 1 */
-    stiff4b = y14b * p4;
-    p4b = y14b * stiff4;
-    /* C atan(B x - E (B x - atan(B x))), without a difference where E is 1 */
-    stiff4b += y13b * (a + p4);
-    tb52 = y13b * stiff4;
-    ab += tb52;
-    p4b += tb52;
-    pb[t->tyreadr[i] + MAGGI_TYRE_RHX1] += p4b;
-    y12b = e9b;
-    e10b = 0.0;
-    /* a curvature: more than 1 would turn the curve around */
-    if (MAGGI_RE(e10) > 1.0) {
-      y12b = 0.0;
-    } else {
-      e10b += y12b;
-      y12b = 0.0;
-    }
-    pb[t->tyreadr[i] + MAGGI_TYRE_REX1] += e10b;
-    pb[t->tyreadr[i] + MAGGI_TYRE_REX2] += e10b * dfz;
-    dfzb += e10b * p[t->tyreadr[i] + MAGGI_TYRE_REX2];
-    tb51 = stiff4b * p[t->tyreadr[i] + MAGGI_TYRE_LXAL];
-    pb[t->tyreadr[i] + MAGGI_TYRE_RBX1] += tb51 * t43;
-    t43b = tb51 * p[t->tyreadr[i] + MAGGI_TYRE_RBX1];
-    pb[t->tyreadr[i] + MAGGI_TYRE_LXAL] += stiff4b * (p[t->tyreadr[i] + MAGGI_TYRE_RBX1] * t43);
-    tb50 = t43b / t42;
-    t42b = -(tb50 * t43);
-    t41b = t42b * (1.0 / (2.0 * t42));
-    x4b = t41b * x4;
-    x4b += t41b * x4;
-    /* Gxa = Fx / Fx0 */
-    pb[t->tyreadr[i] + MAGGI_TYRE_RBX2] += x4b * kappa;
-    kappab += x4b * p[t->tyreadr[i] + MAGGI_TYRE_RBX2];
-    tb49 = g1b * p[t->tyreadr[i] + MAGGI_TYRE_LVYKA];
-    dvb = tb49 * t40;
-    t40b = tb49 * dv;
-    pb[t->tyreadr[i] + MAGGI_TYRE_LVYKA] += g1b * (dv * t40);
-    t39b = t40b * cos(t39);
-    pb[t->tyreadr[i] + MAGGI_TYRE_RVY5] += t39b * t38;
-    t38b = t39b * p[t->tyreadr[i] + MAGGI_TYRE_RVY5];
-    t37b = t38b * (1.0 / (1.0 + t37 * t37));
-    pb[t->tyreadr[i] + MAGGI_TYRE_RVY6] += t37b * kappa;
-    kappab += t37b * p[t->tyreadr[i] + MAGGI_TYRE_RVY6];
-    tb48 = g0b / t36;
-    t31b = tb48;
-    t36b = -(tb48 * g0);
-    t35b = -(t36b * sin(t35));
-    p3b = t35b * t34;
-    t34b = t35b * p3;
-    t33b = t34b * (1.0 / (1.0 + t33 * t33));
-    e7b = -(t33b * y11);
-    y11b = t33b * (1.0 - e7);
-    e7b += t33b * t32;
-    t32b = t33b * e7;
-    y11b += t32b * (1.0 / (1.0 + y11 * y11));
-    t30b = -(t31b * sin(t30));
-    p3b += t30b * t29;
-    t29b = t30b * p3;
-    pb[t->tyreadr[i] + MAGGI_TYRE_RCY1] += p3b;
-    t28b = t29b * (1.0 / (1.0 + t28 * t28));
-    e7b -= t28b * y10;
-    y10b = t28b * (1.0 - e7);
-    e7b += t28b * t27;
-    t27b = t28b * e7;
-    y10b += t27b * (1.0 / (1.0 + y10 * y10));
-    /* C atan(B x - E (B x - atan(B x))), without a difference where E is 1 */
-    stiff3b = y11b * s2;
-    s2b = y11b * stiff3;
-    /* C atan(B x - E (B x - atan(B x))), without a difference where E is 1 */
-    stiff3b += y10b * (kappa + s2);
-    tb47 = y10b * stiff3;
-    kappab += tb47;
-    s2b += tb47;
-    tb44 = dvb * t26;
-    tb45 = tb44 * (p[t->tyreadr[i] + MAGGI_TYRE_RVY1] + p[t->tyreadr[i] + MAGGI_TYRE_RVY2] * dfz +
-        p[t->tyreadr[i] + MAGGI_TYRE_RVY3] * gamma);
-    muy2b = tb45 * fz;
-    fzb += tb45 * muy2;
-    tb46 = tb44 * (muy2 * fz);
-    pb[t->tyreadr[i] + MAGGI_TYRE_RVY1] += tb46;
-    pb[t->tyreadr[i] + MAGGI_TYRE_RVY2] += tb46 * dfz;
-    dfzb += tb46 * p[t->tyreadr[i] + MAGGI_TYRE_RVY2];
-    pb[t->tyreadr[i] + MAGGI_TYRE_RVY3] += tb46 * gamma;
-    gammab += tb46 * p[t->tyreadr[i] + MAGGI_TYRE_RVY3];
-    t26b = dvb * (muy2 * fz * (p[t->tyreadr[i] + MAGGI_TYRE_RVY1] + p[t->tyreadr[i] +
-        MAGGI_TYRE_RVY2] * dfz + p[t->tyreadr[i] + MAGGI_TYRE_RVY3] * gamma));
-    tb43 = t26b / t25;
-    t25b = -(tb43 * t26);
-    t24b = t25b * (1.0 / (2.0 * t25));
-    x3b = t24b * x3;
-    x3b += t24b * x3;
-    pb[t->tyreadr[i] + MAGGI_TYRE_RVY4] += x3b * a;
-    ab += x3b * p[t->tyreadr[i] + MAGGI_TYRE_RVY4];
-    pb[t->tyreadr[i] + MAGGI_TYRE_RHY1] += s2b;
-    pb[t->tyreadr[i] + MAGGI_TYRE_RHY2] += s2b * dfz;
-    dfzb += s2b * p[t->tyreadr[i] + MAGGI_TYRE_RHY2];
-    y9b = e7b;
-    e8b = 0.0;
-    /* a curvature: more than 1 would turn the curve around */
-    if (MAGGI_RE(e8) > 1.0) {
-      y9b = 0.0;
-    } else {
-      e8b += y9b;
-      y9b = 0.0;
-    }
-    pb[t->tyreadr[i] + MAGGI_TYRE_REY1] += e8b;
-    pb[t->tyreadr[i] + MAGGI_TYRE_REY2] += e8b * dfz;
-    dfzb += e8b * p[t->tyreadr[i] + MAGGI_TYRE_REY2];
-    tb42 = stiff3b * p[t->tyreadr[i] + MAGGI_TYRE_LYKA];
-    pb[t->tyreadr[i] + MAGGI_TYRE_RBY1] += tb42 * t23;
-    t23b = tb42 * p[t->tyreadr[i] + MAGGI_TYRE_RBY1];
-    pb[t->tyreadr[i] + MAGGI_TYRE_LYKA] += stiff3b * (p[t->tyreadr[i] + MAGGI_TYRE_RBY1] * t23);
-    tb41 = t23b / t22;
-    t22b = -(tb41 * t23);
-    t21b = t22b * (1.0 / (2.0 * t22));
-    x2b = t21b * x2;
-    x2b += t21b * x2;
-    /* Gyk, SVyk:  Fy = Gyk Fy0 + SVyk */
-    pb[t->tyreadr[i] + MAGGI_TYRE_RBY2] += x2b * (a - p[t->tyreadr[i] + MAGGI_TYRE_RBY3]);
-    tb40 = x2b * p[t->tyreadr[i] + MAGGI_TYRE_RBY2];
-    ab += tb40;
-    pb[t->tyreadr[i] + MAGGI_TYRE_RBY3] -= tb40;
-    y2_2b = muy2b;
-    shyb = y4_2b;
-    t20b = y4_2b;
-    tb39 = t20b / stiff2;
-    svyb = tb39;
-    stiff2b = -(tb39 * t20);
-    byb = y3_2b * cy;
-    cyb = y3_2b * by;
-    muyb = y2_2b;
-    stiff2b += y1b;
-    dyb = y0b * t19;
-    t19b = y0b * dy;
-    svyb += y0b;
-    t18b = t19b * cos(t18);
-    cyb += t18b * t17;
-    t17b = t18b * cy;
-    t16b = t17b * (1.0 / (1.0 + t16 * t16));
-    eyb = -(t16b * y8);
-    y8b = t16b * (1.0 - ey);
-    eyb += t16b * t15;
-    t15b = t16b * ey;
-    y8b += t15b * (1.0 / (1.0 + y8 * y8));
-    /* C atan(B x - E (B x - atan(B x))), without a difference where E is 1 */
-    byb += y8b * ay;
-    ayb = y8b * by;
-    tb35 = svyb * p[t->tyreadr[i] + MAGGI_TYRE_LMUY];
-    fzb += tb35 * ((p[t->tyreadr[i] + MAGGI_TYRE_PVY1] + p[t->tyreadr[i] + MAGGI_TYRE_PVY2] * dfz) *
-        p[t->tyreadr[i] + MAGGI_TYRE_LVY] + (p[t->tyreadr[i] + MAGGI_TYRE_PVY3] + p[t->tyreadr[i] +
-        MAGGI_TYRE_PVY4] * dfz) * gy);
-    tb36 = tb35 * fz;
-    tb37 = tb36 * p[t->tyreadr[i] + MAGGI_TYRE_LVY];
-    pb[t->tyreadr[i] + MAGGI_TYRE_PVY1] += tb37;
-    pb[t->tyreadr[i] + MAGGI_TYRE_PVY2] += tb37 * dfz;
-    dfzb += tb37 * p[t->tyreadr[i] + MAGGI_TYRE_PVY2];
-    pb[t->tyreadr[i] + MAGGI_TYRE_LVY] += tb36 * (p[t->tyreadr[i] + MAGGI_TYRE_PVY1] +
-        p[t->tyreadr[i] + MAGGI_TYRE_PVY2] * dfz);
-    tb38 = tb36 * gy;
-    pb[t->tyreadr[i] + MAGGI_TYRE_PVY3] += tb38;
-    pb[t->tyreadr[i] + MAGGI_TYRE_PVY4] += tb38 * dfz;
-    dfzb += tb38 * p[t->tyreadr[i] + MAGGI_TYRE_PVY4];
-    gyb = tb36 * (p[t->tyreadr[i] + MAGGI_TYRE_PVY3] + p[t->tyreadr[i] + MAGGI_TYRE_PVY4] * dfz);
-    pb[t->tyreadr[i] + MAGGI_TYRE_LMUY] += svyb * (fz * ((p[t->tyreadr[i] + MAGGI_TYRE_PVY1] +
-        p[t->tyreadr[i] + MAGGI_TYRE_PVY2] * dfz) * p[t->tyreadr[i] + MAGGI_TYRE_LVY] +
-        (p[t->tyreadr[i] + MAGGI_TYRE_PVY3] + p[t->tyreadr[i] + MAGGI_TYRE_PVY4] * dfz) * gy));
-    tb34 = byb / t14;
-    stiff2b += tb34;
-    t14b = -(tb34 * by);
-    cyb += t14b * dy;
-    dyb += t14b * cy;
-    tb30 = stiff2b * p[t->tyreadr[i] + MAGGI_TYRE_LKY];
-    tb31 = tb30 * (1.0 - p[t->tyreadr[i] + MAGGI_TYRE_PKY3] * y7);
-    tb32 = tb31 * t13;
-    pb[t->tyreadr[i] + MAGGI_TYRE_PKY1] += tb32 * fz0_2;
-    fz0_2b = tb32 * p[t->tyreadr[i] + MAGGI_TYRE_PKY1];
-    t13b = tb31 * (p[t->tyreadr[i] + MAGGI_TYRE_PKY1] * fz0_2);
-    tb33 = tb30 * (p[t->tyreadr[i] + MAGGI_TYRE_PKY1] * fz0_2 * t13);
-    pb[t->tyreadr[i] + MAGGI_TYRE_PKY3] -= tb33 * y7;
-    y7b = -(tb33 * p[t->tyreadr[i] + MAGGI_TYRE_PKY3]);
-    pb[t->tyreadr[i] + MAGGI_TYRE_LKY] += stiff2b * (p[t->tyreadr[i] + MAGGI_TYRE_PKY1] * fz0_2 *
-        t13 * (1.0 - p[t->tyreadr[i] + MAGGI_TYRE_PKY3] * y7));
-    tb29 = t13b / t12;
-    z2b = tb29 * 2.0;
-    t12b = -(tb29 * t13);
-    z2b += t12b * z2;
-    z2b += t12b * z2;
-    /* |x|, with two continuous derivatives:  w (15 y^2 - 10 y^4 + 3 y^6) / 8,  y = x / w,  in |x| < w;  0 at 0,
-     * where straight running is, and exact from w on */
-    if (MAGGI_RE(gy) > MAGGI_RE(p[t->tyreadr[i] + MAGGI_TYRE_LOW_CAMBER])) {
-      gyb += y7b;
-      y7b = 0.0;
-    } else if (MAGGI_RE(gy) < -MAGGI_RE(p[t->tyreadr[i] + MAGGI_TYRE_LOW_CAMBER])) {
-      gyb -= y7b;
-      y7b = 0.0;
-    } else {
-      p2 = p[t->tyreadr[i] + MAGGI_TYRE_LOW_CAMBER];
-      t11 = p2 * p2;
-      z3 = gy * gy / t11;
-      tb27 = y7b * (15.0 + z3 * (-10.0 + 3.0 * z3));
-      p2b = tb27 * z3 * 0.125;
-      z3b = tb27 * (0.125 * p2);
-      tb28 = y7b * (0.125 * p2 * z3);
-      z3b += tb28 * (-10.0 + 3.0 * z3);
-      z3b += tb28 * z3 * 3.0;
-      y7b = 0.0;
-      tb26 = z3b / t11;
-      gyb += tb26 * gy;
-      gyb += tb26 * gy;
-      t11b = -(tb26 * z3);
-      p2b += t11b * p2;
-      p2b += t11b * p2;
-      pb[t->tyreadr[i] + MAGGI_TYRE_LOW_CAMBER] += p2b;
-    }
-    tb25 = z2b / t10;
-    fzb += tb25;
-    t10b = -(tb25 * z2);
-    pb[t->tyreadr[i] + MAGGI_TYRE_PKY2] += t10b * fz0_2;
-    fz0_2b += t10b * p[t->tyreadr[i] + MAGGI_TYRE_PKY2];
-    e4b = 0.0;
-    if (MAGGI_RE(ay) > 0.0) {
-      e5 = e4 * (1.0 - (p[t->tyreadr[i] + MAGGI_TYRE_PEY3] + p[t->tyreadr[i] + MAGGI_TYRE_PEY4] *
-          gy));
-      y5b = eyb;
-      eyb = 0.0;
-      e5b = 0.0;
-      /* a curvature: more than 1 would turn the curve around */
-      if (MAGGI_RE(e5) > 1.0) {
-        y5b = 0.0;
+      y2 = way2 * x4;
+      if (MAGGI_RE(y2) >= MAGGI_RE(c4 + f3)) {
+        b30 = 0.0;
+        b31 = 0.0;
+      } else if (MAGGI_RE(y2) > MAGGI_RE(c4 - f3)) {
+        t23 = radius2 * radius2 - (c4 - f3) * (c4 - f3);
+        z3 = sqrt(t23);
+        h0_3 = z3 - base2;
+        h1_3 = 2.0 * f3 * (c4 - f3) / z3;
+        a4 = 3.0 * h0_3 - h1_3;
+        t24 = z3 * z3 * z3;
+        t25 = 2.0 * f3 * f3 * radius2 * radius2 / t24;
+        b4 = 6.0 * h0_3 - 3.0 * h1_3 - t25;
+        t26 = 2.0 * f3;
+        u3 = (c4 + f3 - y2) / t26;
+        w3 = 1.0 - u3;
+        b30 = u3 * u3 * u3 * (h0_3 + w3 * (a4 + w3 * b4));
+        t27 = 2.0 * f3;
+        t28 = -way2 * u3 * u3 * (3.0 * (h0_3 + w3 * (a4 + w3 * b4)) - u3 * (a4 + 2.0 * w3 * b4)) /
+            t27;
+        b31 = t28;
       } else {
-        e5b += y5b;
-        y5b = 0.0;
+        t29 = radius2 * radius2 - y2 * y2;
+        z3_3 = sqrt(t29);
+        b30 = z3_3 - base2;
+        t30 = -x4 / z3_3;
+        b31 = t30;
       }
-      e4b += e5b * (1.0 - (p[t->tyreadr[i] + MAGGI_TYRE_PEY3] + p[t->tyreadr[i] + MAGGI_TYRE_PEY4] *
-          gy));
-      tb23 = e5b * e4;
-      pb[t->tyreadr[i] + MAGGI_TYRE_PEY3] -= tb23;
-      pb[t->tyreadr[i] + MAGGI_TYRE_PEY4] -= tb23 * gy;
-      gyb -= tb23 * p[t->tyreadr[i] + MAGGI_TYRE_PEY4];
+      h10 = b30;
+      h11 = 0.0;
+      h12 = b31;
     } else {
-      e6 = e4 * (1.0 + (p[t->tyreadr[i] + MAGGI_TYRE_PEY3] + p[t->tyreadr[i] + MAGGI_TYRE_PEY4] *
-          gy));
-      y6b = eyb;
-      eyb = 0.0;
-      e6b = 0.0;
-      /* a curvature: more than 1 would turn the curve around */
-      if (MAGGI_RE(e6) > 1.0) {
-        y6b = 0.0;
+      k8 = maggi_piece(t->np, p, t->roadadr[road], t->roadn[road], x);
+      if (k8 < 0) {
+        p_road6 = p[t->roadadr[road]];
+        h2 = p[t->roadadr[road] + 1] - p_road6;
+        p_roadroad2 = p[t->roadadr[road] + t->roadn[road]];
+        t31 = (p[t->roadadr[road] + t->roadn[road] + 1] - p_roadroad2) / h2;
+        slope2 = t31 - h2 / 6.0 * (2.0 * spline0[t->roadspline[road]][0] +
+            spline0[t->roadspline[road] + 1][0]);
+        s30 = p_roadroad2 + slope2 * (x - p_road6);
+        s31 = slope2;
+      } else if (k8 > t->roadn[road] - 2) {
+        p5 = p[t->roadadr[road] + t->roadn[road] - 1];
+        h2_2 = p5 - p[t->roadadr[road] + t->roadn[road] - 2];
+        p6 = p[t->roadadr[road] + t->roadn[road] + t->roadn[road] - 1];
+        t32 = (p6 - p[t->roadadr[road] + t->roadn[road] + t->roadn[road] - 2]) / h2_2;
+        slope2_2 = t32 + h2_2 / 6.0 * (spline0[t->roadspline[road] + t->roadn[road] - 2][0] + 2.0 *
+            spline0[t->roadspline[road] + t->roadn[road] - 1][0]);
+        s30 = p6 + slope2_2 * (x - p5);
+        s31 = slope2_2;
       } else {
-        e6b += y6b;
-        y6b = 0.0;
+        p_roadk81 = p[t->roadadr[road] + k8 + 1];
+        p_roadk8 = p[t->roadadr[road] + k8];
+        h2_3 = p_roadk81 - p_roadk8;
+        a5 = p_roadk81 - x;
+        c5 = x - p_roadk8;
+        p7 = p[t->roadadr[road] + t->roadn[road] + k8];
+        t33 = (p[t->roadadr[road] + t->roadn[road] + k8 + 1] - p7) / h2_3;
+        spline0_roadk810 = spline0[t->roadspline[road] + k8 + 1][0];
+        spline0_roadk80 = spline0[t->roadspline[road] + k8][0];
+        e2 = t33 - h2_3 / 6.0 * (spline0_roadk810 - spline0_roadk80);
+        t34 = 6.0 * h2_3;
+        t35 = (spline0_roadk80 * a5 * a5 * a5 + spline0_roadk810 * c5 * c5 * c5) / t34;
+        s30 = t35 + p7 - spline0_roadk80 * h2_3 * h2_3 / 6.0 + e2 * c5;
+        t36 = 2.0 * h2_3;
+        t37 = (spline0_roadk810 * c5 * c5 - spline0_roadk80 * a5 * a5) / t36;
+        s31 = t37 + e2;
       }
-      e4b += e6b * (1.0 + (p[t->tyreadr[i] + MAGGI_TYRE_PEY3] + p[t->tyreadr[i] + MAGGI_TYRE_PEY4] *
-          gy));
-      tb24 = e6b * e4;
-      pb[t->tyreadr[i] + MAGGI_TYRE_PEY3] += tb24;
-      pb[t->tyreadr[i] + MAGGI_TYRE_PEY4] += tb24 * gy;
-      gyb += tb24 * p[t->tyreadr[i] + MAGGI_TYRE_PEY4];
+      h10 = s30;
+      h11 = s31;
+      h12 = 0.0;
     }
-    tb22 = e4b * p[t->tyreadr[i] + MAGGI_TYRE_LEY];
-    pb[t->tyreadr[i] + MAGGI_TYRE_PEY1] += tb22;
-    pb[t->tyreadr[i] + MAGGI_TYRE_PEY2] += tb22 * dfz;
-    dfzb += tb22 * p[t->tyreadr[i] + MAGGI_TYRE_PEY2];
-    pb[t->tyreadr[i] + MAGGI_TYRE_LEY] += e4b * (p[t->tyreadr[i] + MAGGI_TYRE_PEY1] +
-        p[t->tyreadr[i] + MAGGI_TYRE_PEY2] * dfz);
-    muyb += dyb * fz;
-    fzb += dyb * muy;
-    tb18 = muyb * p[t->tyreadr[i] + MAGGI_TYRE_LMUY];
-    tb19 = tb18 * (1.0 - p[t->tyreadr[i] + MAGGI_TYRE_PDY3] * gy * gy);
-    pb[t->tyreadr[i] + MAGGI_TYRE_PDY1] += tb19;
-    pb[t->tyreadr[i] + MAGGI_TYRE_PDY2] += tb19 * dfz;
-    dfzb += tb19 * p[t->tyreadr[i] + MAGGI_TYRE_PDY2];
-    tb20 = tb18 * (p[t->tyreadr[i] + MAGGI_TYRE_PDY1] + p[t->tyreadr[i] + MAGGI_TYRE_PDY2] * dfz);
-    tb21 = tb20 * gy;
-    pb[t->tyreadr[i] + MAGGI_TYRE_PDY3] -= tb21 * gy;
-    gyb -= tb21 * p[t->tyreadr[i] + MAGGI_TYRE_PDY3];
-    gyb -= tb20 * (p[t->tyreadr[i] + MAGGI_TYRE_PDY3] * gy);
-    pb[t->tyreadr[i] + MAGGI_TYRE_LMUY] += muyb * ((p[t->tyreadr[i] + MAGGI_TYRE_PDY1] +
-        p[t->tyreadr[i] + MAGGI_TYRE_PDY2] * dfz) * (1.0 - p[t->tyreadr[i] + MAGGI_TYRE_PDY3] * gy *
-        gy));
-    pb[t->tyreadr[i] + MAGGI_TYRE_PCY1] += cyb * p[t->tyreadr[i] + MAGGI_TYRE_LCY];
-    pb[t->tyreadr[i] + MAGGI_TYRE_LCY] += cyb * p[t->tyreadr[i] + MAGGI_TYRE_PCY1];
-    ab += ayb;
-    shyb += ayb;
-    tb17 = shyb * p[t->tyreadr[i] + MAGGI_TYRE_LHY];
-    pb[t->tyreadr[i] + MAGGI_TYRE_PHY1] += tb17;
-    pb[t->tyreadr[i] + MAGGI_TYRE_PHY2] += tb17 * dfz;
-    dfzb += tb17 * p[t->tyreadr[i] + MAGGI_TYRE_PHY2];
-    pb[t->tyreadr[i] + MAGGI_TYRE_LHY] += shyb * (p[t->tyreadr[i] + MAGGI_TYRE_PHY1] +
-        p[t->tyreadr[i] + MAGGI_TYRE_PHY2] * dfz);
-    pb[t->tyreadr[i] + MAGGI_TYRE_PHY3] += shyb * gy;
-    gyb += shyb * p[t->tyreadr[i] + MAGGI_TYRE_PHY3];
-    gammab += gyb * p[t->tyreadr[i] + MAGGI_TYRE_LGAY];
-    pb[t->tyreadr[i] + MAGGI_TYRE_LGAY] += gyb * gamma;
-    /* Fy0, Ky, muy, By Cy, SHy + SVy / Ky;  sin(2 atan(z)) = 2 z / (1 + z^2) */
-    pb[t->tyreadr[i] + MAGGI_TYRE_LFZO] += fz0_2b * p[t->tyreadr[i]];
-    pb[t->tyreadr[i]] += fz0_2b * p[t->tyreadr[i] + MAGGI_TYRE_LFZO];
-    stiffb = x1b;
-    dxb = x0b * t9;
-    t9b = x0b * dx;
-    svxb = x0b;
-    t8b = t9b * cos(t8);
-    cxb = t8b * t7;
-    t7b = t8b * cx;
-    t6b = t7b * (1.0 / (1.0 + t6 * t6));
-    exb = -(t6b * y4);
-    y4b = t6b * (1.0 - ex);
-    exb += t6b * t5;
-    t5b = t6b * ex;
-    y4b += t5b * (1.0 / (1.0 + y4 * y4));
-    /* C atan(B x - E (B x - atan(B x))), without a difference where E is 1 */
-    bxb = y4b * kx;
-    kxb = y4b * bx;
-    tb14 = svxb * p[t->tyreadr[i] + MAGGI_TYRE_LMUX];
-    tb15 = tb14 * p[t->tyreadr[i] + MAGGI_TYRE_LVX];
-    fzb += tb15 * (p[t->tyreadr[i] + MAGGI_TYRE_PVX1] + p[t->tyreadr[i] + MAGGI_TYRE_PVX2] * dfz);
-    tb16 = tb15 * fz;
-    pb[t->tyreadr[i] + MAGGI_TYRE_PVX1] += tb16;
-    pb[t->tyreadr[i] + MAGGI_TYRE_PVX2] += tb16 * dfz;
-    dfzb += tb16 * p[t->tyreadr[i] + MAGGI_TYRE_PVX2];
-    pb[t->tyreadr[i] + MAGGI_TYRE_LVX] += tb14 * (fz * (p[t->tyreadr[i] + MAGGI_TYRE_PVX1] +
-        p[t->tyreadr[i] + MAGGI_TYRE_PVX2] * dfz));
-    pb[t->tyreadr[i] + MAGGI_TYRE_LMUX] += svxb * (fz * (p[t->tyreadr[i] + MAGGI_TYRE_PVX1] +
-        p[t->tyreadr[i] + MAGGI_TYRE_PVX2] * dfz) * p[t->tyreadr[i] + MAGGI_TYRE_LVX]);
-    tb13 = bxb / t4;
-    stiffb += tb13;
-    t4b = -(tb13 * bx);
-    cxb += t4b * dx;
-    dxb += t4b * cx;
-    tb10 = stiffb * p[t->tyreadr[i] + MAGGI_TYRE_LKX];
-    tb11 = tb10 * t3;
-    fzb += tb11 * (p[t->tyreadr[i] + MAGGI_TYRE_PKX1] + p[t->tyreadr[i] + MAGGI_TYRE_PKX2] * dfz);
-    tb12 = tb11 * fz;
-    pb[t->tyreadr[i] + MAGGI_TYRE_PKX1] += tb12;
-    pb[t->tyreadr[i] + MAGGI_TYRE_PKX2] += tb12 * dfz;
-    dfzb += tb12 * p[t->tyreadr[i] + MAGGI_TYRE_PKX2];
-    t3b = tb10 * (fz * (p[t->tyreadr[i] + MAGGI_TYRE_PKX1] + p[t->tyreadr[i] + MAGGI_TYRE_PKX2] *
-        dfz));
-    pb[t->tyreadr[i] + MAGGI_TYRE_LKX] += stiffb * (fz * (p[t->tyreadr[i] + MAGGI_TYRE_PKX1] +
-        p[t->tyreadr[i] + MAGGI_TYRE_PKX2] * dfz) * t3);
-    t2b = t3b * t3;
-    pb[t->tyreadr[i] + MAGGI_TYRE_PKX3] += t2b * dfz;
-    dfzb += t2b * p[t->tyreadr[i] + MAGGI_TYRE_PKX3];
-    eb = 0.0;
-    if (MAGGI_RE(kx) > 0.0) {
-      e2 = e * (1.0 - p[t->tyreadr[i] + MAGGI_TYRE_PEX4]);
-      y2b = exb;
-      exb = 0.0;
-      e2b = 0.0;
-      /* a curvature: more than 1 would turn the curve around */
-      if (MAGGI_RE(e2) > 1.0) {
-        y2b = 0.0;
-      } else {
-        e2b += y2b;
-        y2b = 0.0;
-      }
-      eb += e2b * (1.0 - p[t->tyreadr[i] + MAGGI_TYRE_PEX4]);
-      pb[t->tyreadr[i] + MAGGI_TYRE_PEX4] -= e2b * e;
+    t38 = 1.0 + h11 * h11;
+    s = sqrt(t38);
+    normal0 = -h11 / s;
+    normal1 = 0.0;
+    normal2 = 1.0 / s;
+    c = u0 * normal0 + u1 * normal1 + u2_2 * normal2;
+    un0 = u1 * normal2 - u2_2 * normal1;
+    un1 = u2_2 * normal0 - u0 * normal2;
+    un2 = u0 * normal1 - u1 * normal0;
+    t39 = un0 * un0 + un1 * un1 + un2 * un2;
+    w = sqrt(t39);
+    r2 = ((g0 - x) * normal0 + (g2_2 - h10) * normal2) / w;
+    along0 = un0 / w;
+    along1 = un1 / w;
+    along2 = un2 / w;
+    L0 = normal1 * along2 - normal2 * along1;
+    L1 = normal2 * along0 - normal0 * along2;
+    L2 = normal0 * along1 - normal1 * along0;
+    arm0 = r2 * (c * u0 - normal0) / w;
+    T0 = along0;
+    N0 = normal0;
+    arm1 = r2 * (c * u1 - normal1) / w;
+    T1 = along1;
+    N1 = normal1;
+    arm2 = r2 * (c * u2_2 - normal2) / w;
+    T2 = along2;
+    N2 = normal2;
+    z0 = r2;
+    z1 = c;
+    z2_2 = w;
+    z3_2 = h12;
+    Z_a3 = Z[a][3];
+    Z_a4 = Z[a][4];
+    Z_a5 = Z[a][5];
+    omega = Z_a3 * u0 + Z_a4 * u1 + Z_a5 * u2_2;
+    wr0 = Z_a3 - omega * u0;
+    wr1 = Z_a4 - omega * u1;
+    wr2 = Z_a5 - omega * u2_2;
+    vr0 = wr1 * arm2 - wr2 * arm1;
+    vr1 = wr2 * arm0 - wr0 * arm2;
+    vr2 = wr0 * arm1 - wr1 * arm0;
+    v0 = rv[point][0] + vr0;
+    v1 = rv[point][1] + vr1;
+    v2 = rv[point][2] + vr2;
+    vx = slip[i][MAGGI_SLIP_VX];
+    rhov = (z3_2 * v0 - (v0 * N0 + v1 * N1 + v2 * N2)) / z2_2;
+    fz = slip[i][MAGGI_SLIP_FZ];
+    fz0 = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LFZO] * p[t->tyreadr[t->wheeltyre[i]]];
+    if (MAGGI_RE(fz) > 0.0) {
+      ratio = fz / fz0;
+      t40 = fz0 / p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_VERTICAL_STIFFNESS];
+      t41 = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_BREFF] * ratio;
+      t42 = atan(t41);
+      re2 = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_UNLOADED_RADIUS] - t40 *
+          (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_DREFF] * t42 + p[t->tyreadr[t->wheeltyre[i]] +
+          MAGGI_TYRE_FREFF] * ratio);
     } else {
-      e3 = e * (1.0 + p[t->tyreadr[i] + MAGGI_TYRE_PEX4]);
-      y3b = exb;
-      exb = 0.0;
-      e3b = 0.0;
-      /* a curvature: more than 1 would turn the curve around */
-      if (MAGGI_RE(e3) > 1.0) {
-        y3b = 0.0;
-      } else {
-        e3b += y3b;
-        y3b = 0.0;
-      }
-      eb += e3b * (1.0 + p[t->tyreadr[i] + MAGGI_TYRE_PEX4]);
-      pb[t->tyreadr[i] + MAGGI_TYRE_PEX4] += e3b * e;
+      re2 = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_UNLOADED_RADIUS];
     }
-    tb8 = eb * p[t->tyreadr[i] + MAGGI_TYRE_LEX];
-    pb[t->tyreadr[i] + MAGGI_TYRE_PEX1] += tb8;
-    pb[t->tyreadr[i] + MAGGI_TYRE_PEX2] += tb8 * dfz;
-    dfzb += tb8 * p[t->tyreadr[i] + MAGGI_TYRE_PEX2];
-    tb9 = tb8 * dfz;
-    pb[t->tyreadr[i] + MAGGI_TYRE_PEX3] += tb9 * dfz;
-    dfzb += tb9 * p[t->tyreadr[i] + MAGGI_TYRE_PEX3];
-    dfzb += tb8 * (p[t->tyreadr[i] + MAGGI_TYRE_PEX3] * dfz);
-    pb[t->tyreadr[i] + MAGGI_TYRE_LEX] += eb * (p[t->tyreadr[i] + MAGGI_TYRE_PEX1] + p[t->tyreadr[i]
-        + MAGGI_TYRE_PEX2] * dfz + p[t->tyreadr[i] + MAGGI_TYRE_PEX3] * dfz * dfz);
-    muxb = dxb * fz;
-    fzb += dxb * mux;
-    tb4 = muxb * p[t->tyreadr[i] + MAGGI_TYRE_LMUX];
-    tb5 = tb4 * (1.0 - p[t->tyreadr[i] + MAGGI_TYRE_PDX3] * gx * gx);
-    pb[t->tyreadr[i] + MAGGI_TYRE_PDX1] += tb5;
-    pb[t->tyreadr[i] + MAGGI_TYRE_PDX2] += tb5 * dfz;
-    dfzb += tb5 * p[t->tyreadr[i] + MAGGI_TYRE_PDX2];
-    tb6 = tb4 * (p[t->tyreadr[i] + MAGGI_TYRE_PDX1] + p[t->tyreadr[i] + MAGGI_TYRE_PDX2] * dfz);
-    tb7 = tb6 * gx;
-    pb[t->tyreadr[i] + MAGGI_TYRE_PDX3] -= tb7 * gx;
-    gxb = -(tb7 * p[t->tyreadr[i] + MAGGI_TYRE_PDX3]);
-    gxb -= tb6 * (p[t->tyreadr[i] + MAGGI_TYRE_PDX3] * gx);
-    pb[t->tyreadr[i] + MAGGI_TYRE_LMUX] += muxb * ((p[t->tyreadr[i] + MAGGI_TYRE_PDX1] +
-        p[t->tyreadr[i] + MAGGI_TYRE_PDX2] * dfz) * (1.0 - p[t->tyreadr[i] + MAGGI_TYRE_PDX3] * gx *
-        gx));
-    pb[t->tyreadr[i] + MAGGI_TYRE_PCX1] += cxb * p[t->tyreadr[i] + MAGGI_TYRE_LCX];
-    pb[t->tyreadr[i] + MAGGI_TYRE_LCX] += cxb * p[t->tyreadr[i] + MAGGI_TYRE_PCX1];
-    gammab += gxb * p[t->tyreadr[i] + MAGGI_TYRE_LGAX];
-    pb[t->tyreadr[i] + MAGGI_TYRE_LGAX] += gxb * gamma;
-    /* Fx0, Kx */
-    kappab += kxb;
-    tb3 = kxb * p[t->tyreadr[i] + MAGGI_TYRE_LHX];
-    pb[t->tyreadr[i] + MAGGI_TYRE_PHX1] += tb3;
-    pb[t->tyreadr[i] + MAGGI_TYRE_PHX2] += tb3 * dfz;
-    dfzb += tb3 * p[t->tyreadr[i] + MAGGI_TYRE_PHX2];
-    pb[t->tyreadr[i] + MAGGI_TYRE_LHX] += kxb * (p[t->tyreadr[i] + MAGGI_TYRE_PHX1] +
-        p[t->tyreadr[i] + MAGGI_TYRE_PHX2] * dfz);
-    tb2 = dfzb / fz0;
-    fzb += tb2;
-    fz0b -= tb2;
-    fz0b -= tb2 * dfz;
-    pb[t->tyreadr[i] + MAGGI_TYRE_UNLOADED_RADIUS] += r0b;
-    pb[t->tyreadr[i] + MAGGI_TYRE_LFZO] += fz0b * p[t->tyreadr[i]];
-    pb[t->tyreadr[i]] += fz0b * p[t->tyreadr[i] + MAGGI_TYRE_LFZO];
-    slipb[i][3] += fzb;
-    slipb[i][2] += gammab;
-    slipb[i][1] += ab;
-    slipb[i][0] += kappab;
+    re = re2;
+    if (MAGGI_RE(vx) > MAGGI_RE(p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_VXLOW])) {
+      y3 = vx;
+    } else if (MAGGI_RE(vx) < -MAGGI_RE(p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_VXLOW])) {
+      y3 = -vx;
+    } else {
+      p8 = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_VXLOW];
+      t43 = vx * vx / p8;
+      y3 = 0.5 * (p8 + t43);
+    }
+    speed = y3;
+    r30 = r[point][0] + arm0;
+    f_i0 = f[i][0];
+    f_i1 = f[i][1];
+    f_i2 = f[i][2];
+    force30 = F[i][0];
+    r31 = r[point][1] + arm1;
+    force31 = F[i][1];
+    r32 = r[point][2] + arm2;
+    force32 = F[i][2];
+    f_i3 = f[i][3];
+    f_i4 = f[i][4];
+    f_i5 = f[i][5];
+    tb209 = Fb[i][5];
+    Fb[i][5] = 0.0;
+    moment2b = tb209;
+    f_i3b = tb209 * T2;
+    T2b = tb209 * f_i3;
+    f_i4b = tb209 * L2;
+    L2b = tb209 * f_i4;
+    f_i5b = tb209 * N2;
+    N2b = tb209 * f_i5;
+    force32b = Fb[i][2];
+    Fb[i][2] = 0.0;
+    tb208 = Fb[i][4];
+    Fb[i][4] = 0.0;
+    moment1b = tb208;
+    f_i3b += tb208 * T1;
+    T1b = tb208 * f_i3;
+    f_i4b += tb208 * L1;
+    L1b = tb208 * f_i4;
+    f_i5b += tb208 * N1;
+    force31b = Fb[i][1];
+    Fb[i][1] = 0.0;
+    tb207 = Fb[i][3];
+    Fb[i][3] = 0.0;
+    moment0b = tb207;
+    f_i3b += tb207 * T0;
+    T0b = tb207 * f_i3;
+    f_i4b += tb207 * L0;
+    L0b = tb207 * f_i4;
+    f_i5b += tb207 * N0;
+    N0b = tb207 * f_i5;
+    fb[i][5] += f_i5b;
+    fb[i][4] += f_i4b;
+    fb[i][3] += f_i3b;
+    force30b = Fb[i][0];
+    Fb[i][0] = 0.0;
+    r30b = moment2b * force31;
+    force31b += moment2b * r30;
+    r31b = -(moment2b * force30);
+    force30b -= moment2b * r31;
+    r32b = moment1b * force30;
+    force30b += moment1b * r32;
+    r30b -= moment1b * force32;
+    force32b -= moment1b * r30;
+    r31b += moment0b * force32;
+    force32b += moment0b * r31;
+    r32b -= moment0b * force31;
+    force31b -= moment0b * r32;
+    f_i0b = force32b * T2;
+    T2b += force32b * f_i0;
+    f_i1b = force32b * L2;
+    L2b += force32b * f_i1;
+    f_i2b = force32b * N2;
+    N2b += force32b * f_i2;
+    rb[point][2] += r32b;
+    arm2b = r32b;
+    f_i0b += force31b * T1;
+    T1b += force31b * f_i0;
+    f_i1b += force31b * L1;
+    L1b += force31b * f_i1;
+    f_i2b += force31b * N1;
+    rb[point][1] += r31b;
+    arm1b = r31b;
+    f_i0b += force30b * T0;
+    T0b += force30b * f_i0;
+    f_i1b += force30b * L0;
+    L0b += force30b * f_i1;
+    f_i2b += force30b * N0;
+    N0b += force30b * f_i2;
+    fb[i][2] += f_i2b;
+    fb[i][1] += f_i1b;
+    fb[i][0] += f_i0b;
+    /* F: force f_x T + f_y L + f_z N at the contact point, with its moment, as one about P */
+    rb[point][0] += r30b;
+    arm0b = r30b;
+    fzb = 0.0;
+    if (MAGGI_RE(fz) > 0.0 && MAGGI_RE(z0) < MAGGI_RE(p[t->tyreadr[t->wheeltyre[i]] +
+        MAGGI_TYRE_UNLOADED_RADIUS])) {
+      if (t->wheelgrip[i]) {
+        one0 = slip[i][MAGGI_SLIP_KAPPA];
+        one1 = side * slip[i][MAGGI_SLIP_TAN_ALPHA];
+        one2 = side * slip[i][MAGGI_SLIP_GAMMA];
+        one3 = slip[i][MAGGI_SLIP_FZ];
+        one4 = slip[i][MAGGI_SLIP_VX];
+        kappa = one0;
+        a6 = one1;
+        gamma = one2;
+        fz2 = one3;
+        fz0_2 = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LFZO] * p[t->tyreadr[t->wheeltyre[i]]];
+        r0 = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_UNLOADED_RADIUS];
+        dfz = (fz2 - fz0_2) / fz0_2;
+        kx = kappa + (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHX1] +
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHX2] * dfz) * p[t->tyreadr[t->wheeltyre[i]]
+            + MAGGI_TYRE_LHX];
+        gx = gamma * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LGAX];
+        mux = (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX1] + p[t->tyreadr[t->wheeltyre[i]] +
+            MAGGI_TYRE_PDX2] * dfz) * (1.0 - p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX3] * gx *
+            gx) * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUX];
+        e3 = (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEX1] + (p[t->tyreadr[t->wheeltyre[i]] +
+            MAGGI_TYRE_PEX2] + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEX3] * dfz) * dfz) *
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LEX];
+        if (MAGGI_RE(kx) > 0.0) {
+          e4 = e3 * (1.0 - p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEX4]);
+          if (MAGGI_RE(e4) > 1.0) {
+            y5 = 1.0;
+          } else {
+            y5 = e4;
+          }
+          ex = y5;
+        } else {
+          e5 = e3 * (1.0 + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEX4]);
+          if (MAGGI_RE(e5) > 1.0) {
+            y6 = 1.0;
+          } else {
+            y6 = e5;
+          }
+          ex = y6;
+        }
+        x50 = mux * fz2;
+        x51 = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PCX1] * p[t->tyreadr[t->wheeltyre[i]] +
+            MAGGI_TYRE_LCX];
+        x52 = ex;
+        t44 = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKX3] * dfz;
+        t45 = exp(t44);
+        x53 = fz2 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKX1] +
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKX2] * dfz) * t45 *
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LKX];
+        x54 = kx;
+        x55 = fz2 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVX1] +
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVX2] * dfz) * p[t->tyreadr[t->wheeltyre[i]]
+            + MAGGI_TYRE_LVX] * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUX];
+        fz0_3 = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LFZO] * p[t->tyreadr[t->wheeltyre[i]]];
+        gy = gamma * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LGAY];
+        ay = a6 + (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHY1] + p[t->tyreadr[t->wheeltyre[i]]
+            + MAGGI_TYRE_PHY2] * dfz) * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LHY] +
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHY3] * gy;
+        muy = (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY1] + p[t->tyreadr[t->wheeltyre[i]] +
+            MAGGI_TYRE_PDY2] * dfz) * (1.0 - p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY3] * gy *
+            gy) * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUY];
+        e6 = (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY1] + p[t->tyreadr[t->wheeltyre[i]] +
+            MAGGI_TYRE_PEY2] * dfz) * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LEY];
+        if (MAGGI_RE(ay) > 0.0) {
+          e7 = e6 * (1.0 - (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY3] +
+              p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY4] * gy));
+          if (MAGGI_RE(e7) > 1.0) {
+            y7 = 1.0;
+          } else {
+            y7 = e7;
+          }
+          ey = y7;
+        } else {
+          e8 = e6 * (1.0 + (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY3] +
+              p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY4] * gy));
+          if (MAGGI_RE(e8) > 1.0) {
+            y8 = 1.0;
+          } else {
+            y8 = e8;
+          }
+          ey = y8;
+        }
+        t46 = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY2] * fz0_3;
+        z5 = fz2 / t46;
+        y40 = muy * fz2;
+        y41 = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PCY1] * p[t->tyreadr[t->wheeltyre[i]] +
+            MAGGI_TYRE_LCY];
+        y42 = ey;
+        if (MAGGI_RE(gy) > MAGGI_RE(p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LOW_CAMBER])) {
+          y9 = gy;
+        } else if (MAGGI_RE(gy) < -MAGGI_RE(p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LOW_CAMBER]))
+            {
+          y9 = -gy;
+        } else {
+          p9 = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LOW_CAMBER];
+          t47 = p9 * p9;
+          z6 = gy * gy / t47;
+          y9 = 0.125 * p9 * z6 * (15.0 + z6 * (-10.0 + 3.0 * z6));
+        }
+        t48 = 1.0 + z5 * z5;
+        t49 = 2.0 * z5 / t48;
+        y43 = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY1] * fz0_3 * t49 * (1.0 -
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY3] * y9) * p[t->tyreadr[t->wheeltyre[i]] +
+            MAGGI_TYRE_LKY];
+        y44 = ay;
+        y45 = fz2 * ((p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY1] +
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY2] * dfz) * p[t->tyreadr[t->wheeltyre[i]]
+            + MAGGI_TYRE_LVY] + (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY3] +
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY4] * dfz) * gy) *
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUY];
+        peak = y40;
+        x6 = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBX2] * kappa;
+        t50 = 1.0 + x6 * x6;
+        t51 = sqrt(t50);
+        t52 = 1.0 / t51;
+        g20 = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBX1] * t52 * p[t->tyreadr[t->wheeltyre[i]]
+            + MAGGI_TYRE_LXAL];
+        g21 = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RCX1];
+        e9 = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_REX1] + p[t->tyreadr[t->wheeltyre[i]] +
+            MAGGI_TYRE_REX2] * dfz;
+        if (MAGGI_RE(e9) > 1.0) {
+          y10 = 1.0;
+        } else {
+          y10 = e9;
+        }
+        g22 = y10;
+        g23 = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RHX1];
+        x7 = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY2] * (a6 - p[t->tyreadr[t->wheeltyre[i]]
+            + MAGGI_TYRE_RBY3]);
+        t53 = 1.0 + x7 * x7;
+        t54 = sqrt(t53);
+        t55 = 1.0 / t54;
+        g24 = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY1] * t55 * p[t->tyreadr[t->wheeltyre[i]]
+            + MAGGI_TYRE_LYKA];
+        g25 = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RCY1];
+        e10 = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_REY1] + p[t->tyreadr[t->wheeltyre[i]] +
+            MAGGI_TYRE_REY2] * dfz;
+        if (MAGGI_RE(e10) > 1.0) {
+          y11 = 1.0;
+        } else {
+          y11 = e10;
+        }
+        g26 = y11;
+        g27 = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RHY1] + p[t->tyreadr[t->wheeltyre[i]] +
+            MAGGI_TYRE_RHY2] * dfz;
+        x8 = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY4] * a6;
+        t56 = 1.0 + x8 * x8;
+        t57 = sqrt(t56);
+        t58 = 1.0 / t57;
+        dv = peak * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY1] +
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY2] * dfz + p[t->tyreadr[t->wheeltyre[i]] +
+            MAGGI_TYRE_RVY3] * gamma) * t58;
+        t59 = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY6] * kappa;
+        t60 = atan(t59);
+        t61 = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY5] * t60;
+        t62 = sin(t61);
+        g28 = dv * t62 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LVYKA];
+        t63 = x51 * x50;
+        t64 = x53 / t63;
+        y12 = t64 * x54;
+        y13 = g20 * (a6 + g23);
+        y14 = g20 * g23;
+        t65 = atan(y12);
+        t66 = (1.0 - x52) * y12 + x52 * t65;
+        t67 = atan(t66);
+        t68 = x51 * t67;
+        t69 = sin(t68);
+        t70 = atan(y13);
+        t71 = (1.0 - g22) * y13 + g22 * t70;
+        t72 = atan(t71);
+        t73 = g21 * t72;
+        t74 = cos(t73);
+        t75 = atan(y14);
+        t76 = (1.0 - g22) * y14 + g22 * t75;
+        t77 = atan(t76);
+        t78 = g21 * t77;
+        t79 = cos(t78);
+        t80 = t74 / t79;
+        fx = (x50 * t69 + x55) * t80;
+        t81 = y41 * y40;
+        t82 = y43 / t81;
+        y15 = t82 * y44;
+        y16 = g24 * (kappa + g27);
+        y17 = g24 * g27;
+        t83 = atan(y15);
+        t84 = (1.0 - y42) * y15 + y42 * t83;
+        t85 = atan(t84);
+        t86 = y41 * t85;
+        t87 = sin(t86);
+        t88 = atan(y16);
+        t89 = (1.0 - g26) * y16 + g26 * t88;
+        t90 = atan(t89);
+        t91 = g25 * t90;
+        t92 = cos(t91);
+        t93 = atan(y17);
+        t94 = (1.0 - g26) * y17 + g26 * t93;
+        t95 = atan(t94);
+        t96 = g25 * t95;
+        t97 = cos(t96);
+        t98 = t92 / t97;
+        fy = (y40 * t87 + y45) * t98;
+        ratio2 = x53 * kappa / y43;
+        fz0_4 = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LFZO] * p[t->tyreadr[t->wheeltyre[i]]];
+        gz = gamma * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LGAZ];
+        at = a6 + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QHZ1] + p[t->tyreadr[t->wheeltyre[i]] +
+            MAGGI_TYRE_QHZ2] * dfz + (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QHZ3] +
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QHZ4] * dfz) * gz;
+        t99 = y45 / y43;
+        ar = y44 + t99;
+        t100 = at * at + ratio2 * ratio2 + 1e-24;
+        ateq = sqrt(t100);
+        t101 = ar * ar + ratio2 * ratio2 + 1e-24;
+        areq = sqrt(t101);
+        scale = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LKY] / p[t->tyreadr[t->wheeltyre[i]] +
+            MAGGI_TYRE_LMUY];
+        if (MAGGI_RE(gz) > MAGGI_RE(p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LOW_CAMBER])) {
+          y18 = gz;
+        } else if (MAGGI_RE(gz) < -MAGGI_RE(p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LOW_CAMBER]))
+            {
+          y18 = -gz;
+        } else {
+          p10 = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LOW_CAMBER];
+          t102 = p10 * p10;
+          z7 = gz * gz / t102;
+          y18 = 0.125 * p10 * z7 * (15.0 + z7 * (-10.0 + 3.0 * z7));
+        }
+        bt = (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ1] + (p[t->tyreadr[t->wheeltyre[i]] +
+            MAGGI_TYRE_QBZ2] + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ3] * dfz) * dfz) * (1.0
+            + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ4] * gz + p[t->tyreadr[t->wheeltyre[i]]
+            + MAGGI_TYRE_QBZ5] * y18) * scale;
+        t103 = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_UNLOADED_RADIUS] / fz0_4;
+        dt = fz2 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ1] + p[t->tyreadr[t->wheeltyre[i]]
+            + MAGGI_TYRE_QDZ2] * dfz) * (1.0 + (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ3] +
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ4] * gz) * gz) * t103 *
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LTR];
+        t104 = bt * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QCZ1] * at;
+        t105 = atan(t104);
+        e11 = (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ1] + (p[t->tyreadr[t->wheeltyre[i]] +
+            MAGGI_TYRE_QEZ2] + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ3] * dfz) * dfz) * (1.0
+            + (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ4] + p[t->tyreadr[t->wheeltyre[i]] +
+            MAGGI_TYRE_QEZ5] * gz) * 0.63661977236758134308 * t105);
+        if (MAGGI_RE(e11) > 1.0) {
+          y19 = 1.0;
+        } else {
+          y19 = e11;
+        }
+        et = y19;
+        t106 = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ10] * y43 / y40;
+        br = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ9] * scale + t106;
+        dr = fz2 * ((p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ6] +
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ7] * dfz) * p[t->tyreadr[t->wheeltyre[i]]
+            + MAGGI_TYRE_LRES] + (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ8] +
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ9] * dfz) * gz) *
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_UNLOADED_RADIUS] *
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUY];
+        t107 = 1.0 + a6 * a6;
+        t108 = sqrt(t107);
+        ca = 1.0 / t108;
+        y20 = bt * ateq;
+        t109 = atan(y20);
+        t110 = (1.0 - et) * y20 + et * t109;
+        t111 = atan(t110);
+        t112 = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QCZ1] * t111;
+        t113 = cos(t112);
+        z40 = dt * t113 * ca;
+        x9 = br * areq;
+        t114 = 1.0 + x9 * x9;
+        t115 = sqrt(t114);
+        t116 = 1.0 / t115;
+        force2 = fy + g28;
+        t117 = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ2] * force2 / fz0_2;
+        s4 = (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ1] + t117 +
+            (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ3] + p[t->tyreadr[t->wheeltyre[i]] +
+            MAGGI_TYRE_SSZ4] * dfz) * gamma) * r0 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LS];
+        t118 = one4 / p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LOW_SPEED];
+        way3 = tanh(t118);
+        speed2 = one4 / p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LONGVL];
+        t119 = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSX3] * force2 / fz0_2;
+        t120 = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY2] * fx / fz0_2;
+        force5b = fb[i][5] * side;
+        fb[i][5] = 0.0;
+        force4b = fb[i][4];
+        fb[i][4] = 0.0;
+        force3_2b = fb[i][3] * side;
+        fb[i][3] = 0.0;
+        force2_2b = fb[i][2];
+        fb[i][2] = 0.0;
+        force1b = fb[i][1] * side;
+        fb[i][1] = 0.0;
+        force0b = fb[i][0];
+        fb[i][0] = 0.0;
+        z40b = -(force5b * fy);
+        fyb = -(force5b * z40);
+        z41b = force5b;
+        s4b = force5b * fx;
+        fxb = force5b * s4;
+        tb199 = force4b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMY];
+        tb200 = tb199 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY1] + t120 +
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY3] * way3 * speed2 +
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY4] * speed2 * speed2 * speed2 * speed2);
+        tb201 = tb200 * fz2;
+        way3b = -(tb201 * r0);
+        r0b = -(tb201 * way3);
+        fz2b = tb200 * (-way3 * r0);
+        tb202 = tb199 * (-way3 * r0 * fz2);
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY1] += tb202;
+        t120b = tb202;
+        tb203 = tb202 * speed2;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY3] += tb203 * way3;
+        way3b += tb203 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY3];
+        speed2b = tb202 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY3] * way3);
+        tb204 = tb202 * speed2;
+        tb205 = tb204 * speed2;
+        tb206 = tb205 * speed2;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY4] += tb206 * speed2;
+        speed2b += tb206 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY4];
+        speed2b += tb205 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY4] * speed2);
+        speed2b += tb204 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY4] * speed2 * speed2);
+        speed2b += tb202 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY4] * speed2 * speed2 *
+            speed2);
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMY] += force4b * (-way3 * r0 * fz2 *
+            (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY1] + t120 + p[t->tyreadr[t->wheeltyre[i]]
+            + MAGGI_TYRE_QSY3] * way3 * speed2 + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY4] *
+            speed2 * speed2 * speed2 * speed2));
+        tb198 = t120b / fz0_2;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY2] += tb198 * fx;
+        fxb += tb198 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY2];
+        fz0_2b = -(tb198 * t120);
+        tb195 = force3_2b * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSX1] *
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LVMX] + (-p[t->tyreadr[t->wheeltyre[i]] +
+            MAGGI_TYRE_QSX2] * gamma + t119) * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMX]);
+        r0b += tb195 * fz2;
+        fz2b += tb195 * r0;
+        tb196 = force3_2b * (r0 * fz2);
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSX1] += tb196 * p[t->tyreadr[t->wheeltyre[i]] +
+            MAGGI_TYRE_LVMX];
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LVMX] += tb196 * p[t->tyreadr[t->wheeltyre[i]] +
+            MAGGI_TYRE_QSX1];
+        tb197 = tb196 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMX];
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSX2] -= tb197 * gamma;
+        gammab = -(tb197 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSX2]);
+        t119b = tb197;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMX] += tb196 * (-p[t->tyreadr[t->wheeltyre[i]]
+            + MAGGI_TYRE_QSX2] * gamma + t119);
+        tb194 = t119b / fz0_2;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSX3] += tb194 * force2;
+        force2b = tb194 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSX3];
+        fz0_2b -= tb194 * t119;
+        fz2b += force2_2b;
+        force2b += force1b;
+        fxb += force0b;
+        tb193 = speed2b / p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LONGVL];
+        one4b = tb193;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LONGVL] -= tb193 * speed2;
+        t118b = way3b * (1.0 - way3 * way3);
+        tb192 = t118b / p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LOW_SPEED];
+        one4b += tb192;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LOW_SPEED] -= tb192 * t118;
+        tb189 = s4b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LS];
+        tb190 = tb189 * r0;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ1] += tb190;
+        t117b = tb190;
+        tb191 = tb190 * gamma;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ3] += tb191;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ4] += tb191 * dfz;
+        dfzb = tb191 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ4];
+        gammab += tb190 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ3] +
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ4] * dfz);
+        r0b += tb189 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ1] + t117 +
+            (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ3] + p[t->tyreadr[t->wheeltyre[i]] +
+            MAGGI_TYRE_SSZ4] * dfz) * gamma);
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LS] += s4b * ((p[t->tyreadr[t->wheeltyre[i]] +
+            MAGGI_TYRE_SSZ1] + t117 + (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ3] +
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ4] * dfz) * gamma) * r0);
+        tb188 = t117b / fz0_2;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ2] += tb188 * force2;
+        force2b += tb188 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ2];
+        fz0_2b -= tb188 * t117;
+        fyb += force2b;
+        g28b = force2b;
+        tb187 = z41b * ca;
+        drb = tb187 * t116;
+        t116b = tb187 * dr;
+        cab = z41b * (dr * t116);
+        tb186 = t116b / t115;
+        t115b = -(tb186 * t116);
+        t114b = t115b * (1.0 / (2.0 * t115));
+        x9b = t114b * x9;
+        x9b += t114b * x9;
+        brb = x9b * areq;
+        areqb = x9b * br;
+        tb185 = z40b * ca;
+        dtb = tb185 * t113;
+        t113b = tb185 * dt;
+        cab += z40b * (dt * t113);
+        t112b = -(t113b * sin(t112));
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QCZ1] += t112b * t111;
+        t111b = t112b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QCZ1];
+        t110b = t111b * (1.0 / (1.0 + t110 * t110));
+        etb = -(t110b * y20);
+        y20b = t110b * (1.0 - et);
+        etb += t110b * t109;
+        t109b = t110b * et;
+        y20b += t109b * (1.0 / (1.0 + y20 * y20));
+        btb = y20b * ateq;
+        ateqb = y20b * bt;
+        tb184 = cab / t108;
+        t108b = -(tb184 * ca);
+        t107b = t108b * (1.0 / (2.0 * t108));
+        a6b = t107b * a6;
+        a6b += t107b * a6;
+        tb179 = drb * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUY];
+        tb180 = tb179 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_UNLOADED_RADIUS];
+        fz2b += tb180 * ((p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ6] +
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ7] * dfz) * p[t->tyreadr[t->wheeltyre[i]]
+            + MAGGI_TYRE_LRES] + (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ8] +
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ9] * dfz) * gz);
+        tb181 = tb180 * fz2;
+        tb182 = tb181 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LRES];
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ6] += tb182;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ7] += tb182 * dfz;
+        dfzb += tb182 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ7];
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LRES] += tb181 * (p[t->tyreadr[t->wheeltyre[i]]
+            + MAGGI_TYRE_QDZ6] + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ7] * dfz);
+        tb183 = tb181 * gz;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ8] += tb183;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ9] += tb183 * dfz;
+        dfzb += tb183 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ9];
+        gzb = tb181 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ8] +
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ9] * dfz);
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_UNLOADED_RADIUS] += tb179 * (fz2 *
+            ((p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ6] + p[t->tyreadr[t->wheeltyre[i]] +
+            MAGGI_TYRE_QDZ7] * dfz) * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LRES] +
+            (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ8] + p[t->tyreadr[t->wheeltyre[i]] +
+            MAGGI_TYRE_QDZ9] * dfz) * gz));
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUY] += drb * (fz2 *
+            ((p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ6] + p[t->tyreadr[t->wheeltyre[i]] +
+            MAGGI_TYRE_QDZ7] * dfz) * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LRES] +
+            (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ8] + p[t->tyreadr[t->wheeltyre[i]] +
+            MAGGI_TYRE_QDZ9] * dfz) * gz) * p[t->tyreadr[t->wheeltyre[i]] +
+            MAGGI_TYRE_UNLOADED_RADIUS]);
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ9] += brb * scale;
+        scaleb = brb * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ9];
+        t106b = brb;
+        tb178 = t106b / y40;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ10] += tb178 * y43;
+        y43b = tb178 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ10];
+        y40b = -(tb178 * t106);
+        y19b = etb;
+        e11b = 0.0;
+        /* a curvature: more than 1 would turn the curve around */
+        if (MAGGI_RE(e11) > 1.0) {
+          y19b = 0.0;
+        } else {
+          e11b += y19b;
+          y19b = 0.0;
+        }
+        tb173 = e11b * (1.0 + (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ4] +
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ5] * gz) * 0.63661977236758134308 * t105);
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ1] += tb173;
+        tb174 = tb173 * dfz;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ2] += tb174;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ3] += tb174 * dfz;
+        dfzb += tb174 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ3];
+        dfzb += tb173 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ2] +
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ3] * dfz);
+        tb175 = e11b * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ1] +
+            (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ2] + p[t->tyreadr[t->wheeltyre[i]] +
+            MAGGI_TYRE_QEZ3] * dfz) * dfz);
+        tb176 = tb175 * t105;
+        tb177 = tb176 * 0.63661977236758134308;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ4] += tb177;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ5] += tb177 * gz;
+        gzb += tb177 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ5];
+        t105b = tb175 * ((p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ4] +
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ5] * gz) * 0.63661977236758134308);
+        t104b = t105b * (1.0 / (1.0 + t104 * t104));
+        tb172 = t104b * at;
+        btb += tb172 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QCZ1];
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QCZ1] += tb172 * bt;
+        atb = t104b * (bt * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QCZ1]);
+        tb166 = dtb * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LTR];
+        tb167 = tb166 * t103;
+        tb168 = tb167 * (1.0 + (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ3] +
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ4] * gz) * gz);
+        fz2b += tb168 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ1] +
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ2] * dfz);
+        tb169 = tb168 * fz2;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ1] += tb169;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ2] += tb169 * dfz;
+        dfzb += tb169 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ2];
+        tb170 = tb167 * (fz2 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ1] +
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ2] * dfz));
+        tb171 = tb170 * gz;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ3] += tb171;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ4] += tb171 * gz;
+        gzb += tb171 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ4];
+        gzb += tb170 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ3] +
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ4] * gz);
+        t103b = tb166 * (fz2 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ1] +
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ2] * dfz) * (1.0 +
+            (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ3] + p[t->tyreadr[t->wheeltyre[i]] +
+            MAGGI_TYRE_QDZ4] * gz) * gz));
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LTR] += dtb * (fz2 *
+            (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ1] + p[t->tyreadr[t->wheeltyre[i]] +
+            MAGGI_TYRE_QDZ2] * dfz) * (1.0 + (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ3] +
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ4] * gz) * gz) * t103);
+        tb165 = t103b / fz0_4;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_UNLOADED_RADIUS] += tb165;
+        fz0_4b = -(tb165 * t103);
+        tb161 = btb * scale;
+        tb162 = tb161 * (1.0 + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ4] * gz +
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ5] * y18);
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ1] += tb162;
+        tb163 = tb162 * dfz;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ2] += tb163;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ3] += tb163 * dfz;
+        dfzb += tb163 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ3];
+        dfzb += tb162 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ2] +
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ3] * dfz);
+        tb164 = tb161 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ1] +
+            (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ2] + p[t->tyreadr[t->wheeltyre[i]] +
+            MAGGI_TYRE_QBZ3] * dfz) * dfz);
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ4] += tb164 * gz;
+        gzb += tb164 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ4];
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ5] += tb164 * y18;
+        y18b = tb164 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ5];
+        scaleb += btb * ((p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ1] +
+            (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ2] + p[t->tyreadr[t->wheeltyre[i]] +
+            MAGGI_TYRE_QBZ3] * dfz) * dfz) * (1.0 + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ4]
+            * gz + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ5] * y18));
+        /* |x|, with two continuous derivatives:  w (15 y^2 - 10 y^4 + 3 y^6) / 8,  y = x / w,  in |x| < w;  0 at 0,
+         * where straight running is, and exact from w on */
+        if (MAGGI_RE(gz) > MAGGI_RE(p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LOW_CAMBER])) {
+          gzb += y18b;
+          y18b = 0.0;
+        } else if (MAGGI_RE(gz) < -MAGGI_RE(p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LOW_CAMBER]))
+            {
+          gzb -= y18b;
+          y18b = 0.0;
+        } else {
+          p10 = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LOW_CAMBER];
+          t102 = p10 * p10;
+          z7 = gz * gz / t102;
+          tb159 = y18b * (15.0 + z7 * (-10.0 + 3.0 * z7));
+          p10b = tb159 * z7 * 0.125;
+          z7b = tb159 * (0.125 * p10);
+          tb160 = y18b * (0.125 * p10 * z7);
+          z7b += tb160 * (-10.0 + 3.0 * z7);
+          z7b += tb160 * z7 * 3.0;
+          y18b = 0.0;
+          tb158 = z7b / t102;
+          gzb += tb158 * gz;
+          gzb += tb158 * gz;
+          t102b = -(tb158 * z7);
+          p10b += t102b * p10;
+          p10b += t102b * p10;
+          pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LOW_CAMBER] += p10b;
+        }
+        tb157 = scaleb / p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUY];
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LKY] += tb157;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUY] -= tb157 * scale;
+        t101b = areqb * (1.0 / (2.0 * areq));
+        arb = t101b * ar;
+        arb += t101b * ar;
+        ratio2b = t101b * ratio2;
+        ratio2b += t101b * ratio2;
+        t100b = ateqb * (1.0 / (2.0 * ateq));
+        atb += t100b * at;
+        atb += t100b * at;
+        ratio2b += t100b * ratio2;
+        ratio2b += t100b * ratio2;
+        y44b = arb;
+        t99b = arb;
+        tb156 = t99b / y43;
+        y45b = tb156;
+        y43b -= tb156 * t99;
+        a6b += atb;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QHZ1] += atb;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QHZ2] += atb * dfz;
+        dfzb += atb * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QHZ2];
+        tb155 = atb * gz;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QHZ3] += tb155;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QHZ4] += tb155 * dfz;
+        dfzb += tb155 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QHZ4];
+        gzb += atb * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QHZ3] +
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QHZ4] * dfz);
+        gammab += gzb * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LGAZ];
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LGAZ] += gzb * gamma;
+        /* trail t at the slip `at` and residual moment Mzr at `ar`, each with the part `ratio` of kappa:
+         *   at_eq = sqrt(at^2 + ratio^2),  ar_eq likewise; sqrt has no derivative at 0, 1e-24 is added */
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LFZO] += fz0_4b *
+            p[t->tyreadr[t->wheeltyre[i]]];
+        pb[t->tyreadr[t->wheeltyre[i]]] += fz0_4b * p[t->tyreadr[t->wheeltyre[i]] +
+            MAGGI_TYRE_LFZO];
+        tb154 = ratio2b / y43;
+        x53b = tb154 * kappa;
+        kappab = tb154 * x53;
+        y43b -= tb154 * ratio2;
+        tb153 = fyb * t98;
+        y40b += tb153 * t87;
+        t87b = tb153 * y40;
+        y45b += tb153;
+        t98b = fyb * (y40 * t87 + y45);
+        tb152 = t98b / t97;
+        t92b = tb152;
+        t97b = -(tb152 * t98);
+        t96b = -(t97b * sin(t96));
+        g25b = t96b * t95;
+        t95b = t96b * g25;
+        t94b = t95b * (1.0 / (1.0 + t94 * t94));
+        g26b = -(t94b * y17);
+        y17b = t94b * (1.0 - g26);
+        g26b += t94b * t93;
+        t93b = t94b * g26;
+        y17b += t93b * (1.0 / (1.0 + y17 * y17));
+        t91b = -(t92b * sin(t91));
+        g25b += t91b * t90;
+        t90b = t91b * g25;
+        t89b = t90b * (1.0 / (1.0 + t89 * t89));
+        g26b -= t89b * y16;
+        y16b = t89b * (1.0 - g26);
+        g26b += t89b * t88;
+        t88b = t89b * g26;
+        y16b += t88b * (1.0 / (1.0 + y16 * y16));
+        t86b = t87b * cos(t86);
+        y41b = t86b * t85;
+        t85b = t86b * y41;
+        t84b = t85b * (1.0 / (1.0 + t84 * t84));
+        y42b = -(t84b * y15);
+        y15b = t84b * (1.0 - y42);
+        y42b += t84b * t83;
+        t83b = t84b * y42;
+        y15b += t83b * (1.0 / (1.0 + y15 * y15));
+        g24b = y17b * g27;
+        g27b = y17b * g24;
+        g24b += y16b * (kappa + g27);
+        tb151 = y16b * g24;
+        kappab += tb151;
+        g27b += tb151;
+        t82b = y15b * y44;
+        y44b += y15b * t82;
+        tb150 = t82b / t81;
+        y43b += tb150;
+        t81b = -(tb150 * t82);
+        y41b += t81b * y40;
+        y40b += t81b * y41;
+        tb149 = fxb * t80;
+        x50b = tb149 * t69;
+        t69b = tb149 * x50;
+        x55b = tb149;
+        t80b = fxb * (x50 * t69 + x55);
+        tb148 = t80b / t79;
+        t74b = tb148;
+        t79b = -(tb148 * t80);
+        t78b = -(t79b * sin(t78));
+        g21b = t78b * t77;
+        t77b = t78b * g21;
+        t76b = t77b * (1.0 / (1.0 + t76 * t76));
+        g22b = -(t76b * y14);
+        y14b = t76b * (1.0 - g22);
+        g22b += t76b * t75;
+        t75b = t76b * g22;
+        y14b += t75b * (1.0 / (1.0 + y14 * y14));
+        t73b = -(t74b * sin(t73));
+        g21b += t73b * t72;
+        t72b = t73b * g21;
+        t71b = t72b * (1.0 / (1.0 + t71 * t71));
+        g22b -= t71b * y13;
+        y13b = t71b * (1.0 - g22);
+        g22b += t71b * t70;
+        t70b = t71b * g22;
+        y13b += t70b * (1.0 / (1.0 + y13 * y13));
+        t68b = t69b * cos(t68);
+        x51b = t68b * t67;
+        t67b = t68b * x51;
+        t66b = t67b * (1.0 / (1.0 + t66 * t66));
+        x52b = -(t66b * y12);
+        y12b = t66b * (1.0 - x52);
+        x52b += t66b * t65;
+        t65b = t66b * x52;
+        y12b += t65b * (1.0 / (1.0 + y12 * y12));
+        g20b = y14b * g23;
+        g23b = y14b * g20;
+        g20b += y13b * (a6 + g23);
+        tb147 = y13b * g20;
+        a6b += tb147;
+        g23b += tb147;
+        t64b = y12b * x54;
+        x54b = y12b * t64;
+        tb146 = t64b / t63;
+        x53b += tb146;
+        t63b = -(tb146 * t64);
+        x51b += t63b * x50;
+        x50b += t63b * x51;
+        tb145 = g28b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LVYKA];
+        dvb = tb145 * t62;
+        t62b = tb145 * dv;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LVYKA] += g28b * (dv * t62);
+        t61b = t62b * cos(t61);
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY5] += t61b * t60;
+        t60b = t61b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY5];
+        t59b = t60b * (1.0 / (1.0 + t59 * t59));
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY6] += t59b * kappa;
+        kappab += t59b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY6];
+        tb143 = dvb * t58;
+        peakb = tb143 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY1] +
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY2] * dfz + p[t->tyreadr[t->wheeltyre[i]] +
+            MAGGI_TYRE_RVY3] * gamma);
+        tb144 = tb143 * peak;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY1] += tb144;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY2] += tb144 * dfz;
+        dfzb += tb144 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY2];
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY3] += tb144 * gamma;
+        gammab += tb144 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY3];
+        t58b = dvb * (peak * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY1] +
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY2] * dfz + p[t->tyreadr[t->wheeltyre[i]] +
+            MAGGI_TYRE_RVY3] * gamma));
+        tb142 = t58b / t57;
+        t57b = -(tb142 * t58);
+        t56b = t57b * (1.0 / (2.0 * t57));
+        x8b = t56b * x8;
+        x8b += t56b * x8;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY4] += x8b * a6;
+        a6b += x8b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY4];
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RHY1] += g27b;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RHY2] += g27b * dfz;
+        dfzb += g27b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RHY2];
+        y11b = g26b;
+        e10b = 0.0;
+        /* a curvature: more than 1 would turn the curve around */
+        if (MAGGI_RE(e10) > 1.0) {
+          y11b = 0.0;
+        } else {
+          e10b += y11b;
+          y11b = 0.0;
+        }
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_REY1] += e10b;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_REY2] += e10b * dfz;
+        dfzb += e10b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_REY2];
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RCY1] += g25b;
+        tb141 = g24b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LYKA];
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY1] += tb141 * t55;
+        t55b = tb141 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY1];
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LYKA] += g24b * (p[t->tyreadr[t->wheeltyre[i]] +
+            MAGGI_TYRE_RBY1] * t55);
+        tb140 = t55b / t54;
+        t54b = -(tb140 * t55);
+        t53b = t54b * (1.0 / (2.0 * t54));
+        x7b = t53b * x7;
+        x7b += t53b * x7;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY2] += x7b * (a6 -
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY3]);
+        tb139 = x7b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY2];
+        a6b += tb139;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY3] -= tb139;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RHX1] += g23b;
+        y10b = g22b;
+        e9b = 0.0;
+        /* a curvature: more than 1 would turn the curve around */
+        if (MAGGI_RE(e9) > 1.0) {
+          y10b = 0.0;
+        } else {
+          e9b += y10b;
+          y10b = 0.0;
+        }
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_REX1] += e9b;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_REX2] += e9b * dfz;
+        dfzb += e9b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_REX2];
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RCX1] += g21b;
+        tb138 = g20b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LXAL];
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBX1] += tb138 * t52;
+        t52b = tb138 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBX1];
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LXAL] += g20b * (p[t->tyreadr[t->wheeltyre[i]] +
+            MAGGI_TYRE_RBX1] * t52);
+        tb137 = t52b / t51;
+        t51b = -(tb137 * t52);
+        t50b = t51b * (1.0 / (2.0 * t51));
+        x6b = t50b * x6;
+        x6b += t50b * x6;
+        /* what combined slip makes of the forces:  Fx = Gxa Fx0, Fy = Gyk Fy0 + SVyk.  g: b, c, e, shift of Gxa,
+         * then of Gyk, SVyk */
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBX2] += x6b * kappa;
+        kappab += x6b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBX2];
+        y40b += peakb;
+        tb133 = y45b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUY];
+        fz2b += tb133 * ((p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY1] +
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY2] * dfz) * p[t->tyreadr[t->wheeltyre[i]]
+            + MAGGI_TYRE_LVY] + (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY3] +
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY4] * dfz) * gy);
+        tb134 = tb133 * fz2;
+        tb135 = tb134 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LVY];
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY1] += tb135;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY2] += tb135 * dfz;
+        dfzb += tb135 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY2];
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LVY] += tb134 * (p[t->tyreadr[t->wheeltyre[i]] +
+            MAGGI_TYRE_PVY1] + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY2] * dfz);
+        tb136 = tb134 * gy;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY3] += tb136;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY4] += tb136 * dfz;
+        dfzb += tb136 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY4];
+        gyb = tb134 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY3] +
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY4] * dfz);
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUY] += y45b * (fz2 *
+            ((p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY1] + p[t->tyreadr[t->wheeltyre[i]] +
+            MAGGI_TYRE_PVY2] * dfz) * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LVY] +
+            (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY3] + p[t->tyreadr[t->wheeltyre[i]] +
+            MAGGI_TYRE_PVY4] * dfz) * gy));
+        ayb = y44b;
+        tb129 = y43b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LKY];
+        tb130 = tb129 * (1.0 - p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY3] * y9);
+        tb131 = tb130 * t49;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY1] += tb131 * fz0_3;
+        fz0_3b = tb131 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY1];
+        t49b = tb130 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY1] * fz0_3);
+        tb132 = tb129 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY1] * fz0_3 * t49);
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY3] -= tb132 * y9;
+        y9b = -(tb132 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY3]);
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LKY] += y43b * (p[t->tyreadr[t->wheeltyre[i]] +
+            MAGGI_TYRE_PKY1] * fz0_3 * t49 * (1.0 - p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY3]
+            * y9));
+        tb128 = t49b / t48;
+        z5b = tb128 * 2.0;
+        t48b = -(tb128 * t49);
+        z5b += t48b * z5;
+        z5b += t48b * z5;
+        /* |x|, with two continuous derivatives:  w (15 y^2 - 10 y^4 + 3 y^6) / 8,  y = x / w,  in |x| < w;  0 at 0,
+         * where straight running is, and exact from w on */
+        if (MAGGI_RE(gy) > MAGGI_RE(p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LOW_CAMBER])) {
+          gyb += y9b;
+          y9b = 0.0;
+        } else if (MAGGI_RE(gy) < -MAGGI_RE(p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LOW_CAMBER]))
+            {
+          gyb -= y9b;
+          y9b = 0.0;
+        } else {
+          p9 = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LOW_CAMBER];
+          t47 = p9 * p9;
+          z6 = gy * gy / t47;
+          tb126 = y9b * (15.0 + z6 * (-10.0 + 3.0 * z6));
+          p9b = tb126 * z6 * 0.125;
+          z6b = tb126 * (0.125 * p9);
+          tb127 = y9b * (0.125 * p9 * z6);
+          z6b += tb127 * (-10.0 + 3.0 * z6);
+          z6b += tb127 * z6 * 3.0;
+          y9b = 0.0;
+          tb125 = z6b / t47;
+          gyb += tb125 * gy;
+          gyb += tb125 * gy;
+          t47b = -(tb125 * z6);
+          p9b += t47b * p9;
+          p9b += t47b * p9;
+          pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LOW_CAMBER] += p9b;
+        }
+        eyb = y42b;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PCY1] += y41b * p[t->tyreadr[t->wheeltyre[i]] +
+            MAGGI_TYRE_LCY];
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LCY] += y41b * p[t->tyreadr[t->wheeltyre[i]] +
+            MAGGI_TYRE_PCY1];
+        muyb = y40b * fz2;
+        fz2b += y40b * muy;
+        tb124 = z5b / t46;
+        fz2b += tb124;
+        t46b = -(tb124 * z5);
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY2] += t46b * fz0_3;
+        fz0_3b += t46b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY2];
+        e6b = 0.0;
+        if (MAGGI_RE(ay) > 0.0) {
+          e7 = e6 * (1.0 - (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY3] +
+              p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY4] * gy));
+          y7b = eyb;
+          eyb = 0.0;
+          e7b = 0.0;
+          /* a curvature: more than 1 would turn the curve around */
+          if (MAGGI_RE(e7) > 1.0) {
+            y7b = 0.0;
+          } else {
+            e7b += y7b;
+            y7b = 0.0;
+          }
+          e6b += e7b * (1.0 - (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY3] +
+              p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY4] * gy));
+          tb122 = e7b * e6;
+          pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY3] -= tb122;
+          pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY4] -= tb122 * gy;
+          gyb -= tb122 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY4];
+        } else {
+          e8 = e6 * (1.0 + (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY3] +
+              p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY4] * gy));
+          y8b = eyb;
+          eyb = 0.0;
+          e8b = 0.0;
+          /* a curvature: more than 1 would turn the curve around */
+          if (MAGGI_RE(e8) > 1.0) {
+            y8b = 0.0;
+          } else {
+            e8b += y8b;
+            y8b = 0.0;
+          }
+          e6b += e8b * (1.0 + (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY3] +
+              p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY4] * gy));
+          tb123 = e8b * e6;
+          pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY3] += tb123;
+          pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY4] += tb123 * gy;
+          gyb += tb123 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY4];
+        }
+        tb121 = e6b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LEY];
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY1] += tb121;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY2] += tb121 * dfz;
+        dfzb += tb121 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY2];
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LEY] += e6b * (p[t->tyreadr[t->wheeltyre[i]] +
+            MAGGI_TYRE_PEY1] + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY2] * dfz);
+        tb117 = muyb * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUY];
+        tb118 = tb117 * (1.0 - p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY3] * gy * gy);
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY1] += tb118;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY2] += tb118 * dfz;
+        dfzb += tb118 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY2];
+        tb119 = tb117 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY1] +
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY2] * dfz);
+        tb120 = tb119 * gy;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY3] -= tb120 * gy;
+        gyb -= tb120 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY3];
+        gyb -= tb119 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY3] * gy);
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUY] += muyb * ((p[t->tyreadr[t->wheeltyre[i]]
+            + MAGGI_TYRE_PDY1] + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY2] * dfz) * (1.0 -
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY3] * gy * gy));
+        a6b += ayb;
+        tb116 = ayb * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LHY];
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHY1] += tb116;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHY2] += tb116 * dfz;
+        dfzb += tb116 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHY2];
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LHY] += ayb * (p[t->tyreadr[t->wheeltyre[i]] +
+            MAGGI_TYRE_PHY1] + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHY2] * dfz);
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHY3] += ayb * gy;
+        gyb += ayb * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHY3];
+        gammab += gyb * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LGAY];
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LGAY] += gyb * gamma;
+        /* sin(2 atan(z)) = 2 z / (1 + z^2) */
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LFZO] += fz0_3b *
+            p[t->tyreadr[t->wheeltyre[i]]];
+        pb[t->tyreadr[t->wheeltyre[i]]] += fz0_3b * p[t->tyreadr[t->wheeltyre[i]] +
+            MAGGI_TYRE_LFZO];
+        tb113 = x55b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUX];
+        tb114 = tb113 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LVX];
+        fz2b += tb114 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVX1] +
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVX2] * dfz);
+        tb115 = tb114 * fz2;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVX1] += tb115;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVX2] += tb115 * dfz;
+        dfzb += tb115 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVX2];
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LVX] += tb113 * (fz2 *
+            (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVX1] + p[t->tyreadr[t->wheeltyre[i]] +
+            MAGGI_TYRE_PVX2] * dfz));
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUX] += x55b * (fz2 *
+            (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVX1] + p[t->tyreadr[t->wheeltyre[i]] +
+            MAGGI_TYRE_PVX2] * dfz) * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LVX]);
+        kxb = x54b;
+        tb110 = x53b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LKX];
+        tb111 = tb110 * t45;
+        fz2b += tb111 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKX1] +
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKX2] * dfz);
+        tb112 = tb111 * fz2;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKX1] += tb112;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKX2] += tb112 * dfz;
+        dfzb += tb112 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKX2];
+        t45b = tb110 * (fz2 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKX1] +
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKX2] * dfz));
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LKX] += x53b * (fz2 *
+            (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKX1] + p[t->tyreadr[t->wheeltyre[i]] +
+            MAGGI_TYRE_PKX2] * dfz) * t45);
+        t44b = t45b * t45;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKX3] += t44b * dfz;
+        dfzb += t44b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKX3];
+        exb = x52b;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PCX1] += x51b * p[t->tyreadr[t->wheeltyre[i]] +
+            MAGGI_TYRE_LCX];
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LCX] += x51b * p[t->tyreadr[t->wheeltyre[i]] +
+            MAGGI_TYRE_PCX1];
+        muxb = x50b * fz2;
+        fz2b += x50b * mux;
+        e3b = 0.0;
+        if (MAGGI_RE(kx) > 0.0) {
+          e4 = e3 * (1.0 - p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEX4]);
+          y5b = exb;
+          exb = 0.0;
+          e4b = 0.0;
+          /* a curvature: more than 1 would turn the curve around */
+          if (MAGGI_RE(e4) > 1.0) {
+            y5b = 0.0;
+          } else {
+            e4b += y5b;
+            y5b = 0.0;
+          }
+          e3b += e4b * (1.0 - p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEX4]);
+          pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEX4] -= e4b * e3;
+        } else {
+          e5 = e3 * (1.0 + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEX4]);
+          y6b = exb;
+          exb = 0.0;
+          e5b = 0.0;
+          /* a curvature: more than 1 would turn the curve around */
+          if (MAGGI_RE(e5) > 1.0) {
+            y6b = 0.0;
+          } else {
+            e5b += y6b;
+            y6b = 0.0;
+          }
+          e3b += e5b * (1.0 + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEX4]);
+          pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEX4] += e5b * e3;
+        }
+        tb108 = e3b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LEX];
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEX1] += tb108;
+        tb109 = tb108 * dfz;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEX2] += tb109;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEX3] += tb109 * dfz;
+        dfzb += tb109 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEX3];
+        dfzb += tb108 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEX2] +
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEX3] * dfz);
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LEX] += e3b * (p[t->tyreadr[t->wheeltyre[i]] +
+            MAGGI_TYRE_PEX1] + (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEX2] +
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEX3] * dfz) * dfz);
+        tb104 = muxb * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUX];
+        tb105 = tb104 * (1.0 - p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX3] * gx * gx);
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX1] += tb105;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX2] += tb105 * dfz;
+        dfzb += tb105 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX2];
+        tb106 = tb104 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX1] +
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX2] * dfz);
+        tb107 = tb106 * gx;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX3] -= tb107 * gx;
+        gxb = -(tb107 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX3]);
+        gxb -= tb106 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX3] * gx);
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUX] += muxb * ((p[t->tyreadr[t->wheeltyre[i]]
+            + MAGGI_TYRE_PDX1] + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX2] * dfz) * (1.0 -
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX3] * gx * gx));
+        gammab += gxb * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LGAX];
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LGAX] += gxb * gamma;
+        kappab += kxb;
+        tb103 = kxb * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LHX];
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHX1] += tb103;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHX2] += tb103 * dfz;
+        dfzb += tb103 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHX2];
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LHX] += kxb * (p[t->tyreadr[t->wheeltyre[i]] +
+            MAGGI_TYRE_PHX1] + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHX2] * dfz);
+        tb102 = dfzb / fz0_2;
+        fz2b += tb102;
+        fz0_2b -= tb102;
+        fz0_2b -= tb102 * dfz;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_UNLOADED_RADIUS] += r0b;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LFZO] += fz0_2b *
+            p[t->tyreadr[t->wheeltyre[i]]];
+        pb[t->tyreadr[t->wheeltyre[i]]] += fz0_2b * p[t->tyreadr[t->wheeltyre[i]] +
+            MAGGI_TYRE_LFZO];
+        one3b = fz2b;
+        one2b = gammab;
+        one1b = a6b;
+        one0b = kappab;
+        slipb[i][MAGGI_SLIP_VX] += one4b;
+        slipb[i][MAGGI_SLIP_FZ] += one3b;
+        slipb[i][MAGGI_SLIP_GAMMA] += one2b * side;
+        slipb[i][MAGGI_SLIP_TAN_ALPHA] += one1b * side;
+        /* the formula on either side; f: Fx Fy Fz, Mx My Mz */
+        slipb[i][MAGGI_SLIP_KAPPA] += one0b;
+      } else {
+        for (k9 = 5; k9 >= 0; --k9) {
+          t121b = fb[i][k9];
+          fb[i][k9] = 0.0;
+          if (k9 == 2) {
+            fzb += t121b;
+            t121b = 0.0;
+          } else {
+            t121b = 0.0;
+          }
+        }
+      }
+    } else {
+      for (k9_2 = 5; k9_2 >= 0; --k9_2) {
+        fb[i][k9_2] = 0.0;
+      }
+    }
+    reb = slipb[i][MAGGI_SLIP_ROLLING];
+    slipb[i][MAGGI_SLIP_ROLLING] = 0.0;
+    z0b = slipb[i][MAGGI_SLIP_RADIUS];
+    slipb[i][MAGGI_SLIP_RADIUS] = 0.0;
+    vxb = slipb[i][MAGGI_SLIP_VX];
+    slipb[i][MAGGI_SLIP_VX] = 0.0;
+    fzb += slipb[i][MAGGI_SLIP_FZ];
+    slipb[i][MAGGI_SLIP_FZ] = 0.0;
+    tb101 = slipb[i][MAGGI_SLIP_GAMMA];
+    slipb[i][MAGGI_SLIP_GAMMA] = 0.0;
+    z1b = tb101 * (z2_2 / (z2_2 * z2_2 + z1 * z1));
+    z2_2b = -(tb101 * (z1 / (z2_2 * z2_2 + z1 * z1)));
+    tb99 = slipb[i][MAGGI_SLIP_TAN_ALPHA];
+    slipb[i][MAGGI_SLIP_TAN_ALPHA] = 0.0;
+    tb100 = tb99 / speed;
+    v0b = tb100 * L0;
+    L0b += tb100 * v0;
+    v1b = tb100 * L1;
+    L1b += tb100 * v1;
+    v2b = tb100 * L2;
+    L2b += tb100 * v2;
+    speedb = -(tb100 * slip[i][MAGGI_SLIP_TAN_ALPHA]);
+    tb97 = slipb[i][MAGGI_SLIP_KAPPA];
+    slipb[i][MAGGI_SLIP_KAPPA] = 0.0;
+    tb98 = tb97 / speed;
+    omegab = tb98 * re;
+    reb += tb98 * omega;
+    vxb -= tb98;
+    speedb -= tb98 * slip[i][MAGGI_SLIP_KAPPA];
+    y3b = speedb;
+    /* |v|; less than low gives way to (low + v^2 / low) / 2, which is not 0 at rest */
+    if (MAGGI_RE(vx) > MAGGI_RE(p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_VXLOW])) {
+      vxb += y3b;
+      y3b = 0.0;
+    } else if (MAGGI_RE(vx) < -MAGGI_RE(p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_VXLOW])) {
+      vxb -= y3b;
+      y3b = 0.0;
+    } else {
+      p8 = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_VXLOW];
+      t43 = vx * vx / p8;
+      tb96 = y3b * 0.5;
+      p8b = tb96;
+      t43b = tb96;
+      y3b = 0.0;
+      tb95 = t43b / p8;
+      vxb += tb95 * vx;
+      vxb += tb95 * vx;
+      p8b -= tb95 * t43;
+      pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_VXLOW] += p8b;
+    }
+    re2b = reb;
+    fz0b = 0.0;
+    if (MAGGI_RE(fz) > 0.0) {
+      ratio = fz / fz0;
+      t40 = fz0 / p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_VERTICAL_STIFFNESS];
+      t41 = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_BREFF] * ratio;
+      t42 = atan(t41);
+      pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_UNLOADED_RADIUS] += re2b;
+      t40b = -(re2b * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_DREFF] * t42 +
+          p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_FREFF] * ratio));
+      tb94 = re2b * t40;
+      pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_DREFF] -= tb94 * t42;
+      t42b = -(tb94 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_DREFF]);
+      pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_FREFF] -= tb94 * ratio;
+      ratiob = -(tb94 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_FREFF]);
+      re2b = 0.0;
+      t41b = t42b * (1.0 / (1.0 + t41 * t41));
+      pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_BREFF] += t41b * ratio;
+      ratiob += t41b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_BREFF];
+      tb93 = t40b / p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_VERTICAL_STIFFNESS];
+      fz0b += tb93;
+      pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_VERTICAL_STIFFNESS] -= tb93 * t40;
+      tb92 = ratiob / fz0;
+      fzb += tb92;
+      fz0b -= tb92 * ratio;
+    } else {
+      pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_UNLOADED_RADIUS] += re2b;
+      re2b = 0.0;
+    }
+    /* Re = R0 - rho0 (D atan(B rd) + F rd),  rd = Fz / Fz0,  rho0 = Fz0 / Cz;  R0 in the air */
+    pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LFZO] += fz0b * p[t->tyreadr[t->wheeltyre[i]]];
+    pb[t->tyreadr[t->wheeltyre[i]]] += fz0b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LFZO];
+    pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_VERTICAL_STIFFNESS] += fzb *
+        (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_UNLOADED_RADIUS] - z0);
+    tb91 = fzb * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_VERTICAL_STIFFNESS];
+    pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_UNLOADED_RADIUS] += tb91;
+    z0b -= tb91;
+    pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_VERTICAL_DAMPING] += fzb * rhov;
+    rhovb = fzb * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_VERTICAL_DAMPING];
+    tb90 = rhovb / z2_2;
+    z3_2b = tb90 * v0;
+    v0b += tb90 * z3_2;
+    v0b -= tb90 * N0;
+    N0b -= tb90 * v0;
+    v1b -= tb90 * N1;
+    v2b -= tb90 * N2;
+    N2b -= tb90 * v2;
+    z2_2b -= tb90 * rhov;
+    v0b += vxb * T0;
+    T0b += vxb * v0;
+    v1b += vxb * T1;
+    T1b += vxb * v1;
+    v2b += vxb * T2;
+    T2b += vxb * v2;
+    rvb[point][2] += v2b;
+    vr2b = v2b;
+    rvb[point][1] += v1b;
+    vr1b = v1b;
+    rvb[point][0] += v0b;
+    vr0b = v0b;
+    wr0b = vr2b * arm1;
+    arm1b += vr2b * wr0;
+    wr1b = -(vr2b * arm0);
+    arm0b -= vr2b * wr1;
+    wr2b = vr1b * arm0;
+    arm0b += vr1b * wr2;
+    wr0b -= vr1b * arm2;
+    arm2b -= vr1b * wr0;
+    wr1b += vr0b * arm2;
+    arm2b += vr0b * wr1;
+    wr2b -= vr0b * arm1;
+    arm1b -= vr0b * wr2;
+    Z_a5b = wr2b;
+    omegab -= wr2b * u2_2;
+    u2_2b = -(wr2b * omega);
+    Z_a4b = wr1b;
+    omegab -= wr1b * u1;
+    u1b = -(wr1b * omega);
+    Z_a3b = wr0b;
+    omegab -= wr0b * u0;
+    u0b = -(wr0b * omega);
+    /* Slip and forces of a wheel.  V is the velocity of the place on the road below the wheel, which the turn of
+     * neither wheel nor carrier about the axis moves:
+     *   Omega = w.u,  V = v_C + (w - Omega u) × r e,  rho = R0 - r,  rho' = -V.n / |u × n|
+     *   Fz = Cz rho + Cd rho'
+     *   kappa = -(V.t - Omega Re) / |V.t|,  tan(alpha) = V.l / |V.t|,  sin(gamma) = u.n
+     * No force without contact; without grip that of the spring alone, as at rest. */
+    Z_a3b += omegab * u0;
+    u0b += omegab * Z_a3;
+    Z_a4b += omegab * u1;
+    u1b += omegab * Z_a4;
+    Z_a5b += omegab * u2_2;
+    u2_2b += omegab * Z_a5;
+    Zb[a][5] += Z_a5b;
+    Zb[a][4] += Z_a4b;
+    Zb[a][3] += Z_a3b;
+    h12b = z3_2b;
+    wb = z2_2b;
+    cb = z1b;
+    r2b = z0b;
+    normal2b = N2b;
+    along2b = T2b;
+    tb88 = arm2b / w;
+    r2b += tb88 * (c * u2_2 - normal2);
+    tb89 = tb88 * r2;
+    cb += tb89 * u2_2;
+    u2_2b += tb89 * c;
+    normal2b -= tb89;
+    wb -= tb88 * arm2;
+    along1b = T1b;
+    tb86 = arm1b / w;
+    r2b += tb86 * (c * u1 - normal1);
+    tb87 = tb86 * r2;
+    cb += tb87 * u1;
+    u1b += tb87 * c;
+    wb -= tb86 * arm1;
+    normal0b = N0b;
+    along0b = T0b;
+    tb84 = arm0b / w;
+    r2b += tb84 * (c * u0 - normal0);
+    tb85 = tb84 * r2;
+    cb += tb85 * u0;
+    u0b += tb85 * c;
+    normal0b -= tb85;
+    wb -= tb84 * arm0;
+    normal0b += L2b * along1;
+    along1b += L2b * normal0;
+    along0b -= L2b * normal1;
+    normal2b += L1b * along0;
+    along0b += L1b * normal2;
+    normal0b -= L1b * along2;
+    along2b -= L1b * normal0;
+    along2b += L0b * normal1;
+    normal2b -= L0b * along1;
+    along1b -= L0b * normal2;
+    tb83 = along2b / w;
+    un2b = tb83;
+    wb -= tb83 * along2;
+    tb82 = along1b / w;
+    un1b = tb82;
+    wb -= tb82 * along1;
+    tb81 = along0b / w;
+    un0b = tb81;
+    wb -= tb81 * along0;
+    tb78 = r2b / w;
+    tb79 = tb78 * normal0;
+    g0b = tb79;
+    xb = -tb79;
+    normal0b += tb78 * (g0 - x);
+    tb80 = tb78 * normal2;
+    g2_2b = tb80;
+    h10b = -tb80;
+    normal2b += tb78 * (g2_2 - h10);
+    wb -= tb78 * r2;
+    t39b = wb * (1.0 / (2.0 * w));
+    un0b += t39b * un0;
+    un0b += t39b * un0;
+    un1b += t39b * un1;
+    un1b += t39b * un1;
+    un2b += t39b * un2;
+    un2b += t39b * un2;
+    u0b += un2b * normal1;
+    u1b -= un2b * normal0;
+    normal0b -= un2b * u1;
+    u2_2b += un1b * normal0;
+    normal0b += un1b * u2_2;
+    u0b -= un1b * normal2;
+    normal2b -= un1b * u0;
+    u1b += un0b * normal2;
+    normal2b += un0b * u1;
+    u2_2b -= un0b * normal1;
+    u0b += cb * normal0;
+    normal0b += cb * u0;
+    u1b += cb * normal1;
+    u2_2b += cb * normal2;
+    normal2b += cb * u2_2;
+    tb77 = normal2b / s;
+    sb = -(tb77 * normal2);
+    tb76 = normal0b / s;
+    h11b = -tb76;
+    sb -= tb76 * normal0;
+    t38b = sb * (1.0 / (2.0 * s));
+    h11b += t38b * h11;
+    h11b += t38b * h11;
+    if (t->roadkind[road] == MAGGI_ROAD_FLAT) {
+      p_road4 = p[t->roadadr[road]];
+      h12b = 0.0;
+      p_road4b = h11b;
+      h11b = 0.0;
+      p_road4b += h10b * x;
+      xb += h10b * p_road4;
+      h10b = 0.0;
+      pb[t->roadadr[road]] += p_road4b;
+    } else if (t->roadkind[road] == MAGGI_ROAD_SINE) {
+      k7 = 6.28318530717958647693 / p[t->roadadr[road] + 1];
+      t18 = k7 * x;
+      t19 = sin(t18);
+      p_road5 = p[t->roadadr[road]];
+      t20 = k7 * x;
+      t21 = cos(t20);
+      h12b = 0.0;
+      tb37 = h11b * t21;
+      k7b = tb37 * p_road5;
+      p_road5b = tb37 * k7;
+      t21b = h11b * (k7 * p_road5);
+      h11b = 0.0;
+      t20b = -(t21b * sin(t20));
+      k7b += t20b * x;
+      xb += t20b * k7;
+      p_road5b += h10b * t19;
+      t19b = h10b * p_road5;
+      h10b = 0.0;
+      pb[t->roadadr[road]] += p_road5b;
+      t18b = t19b * cos(t18);
+      k7b += t18b * x;
+      xb += t18b * k7;
+      tb36 = k7b / p[t->roadadr[road] + 1];
+      pb[t->roadadr[road] + 1] -= tb36 * k7;
+    } else if (t->roadkind[road] == MAGGI_ROAD_BUMPS) {
+      k6 = nearest_nodiff(t->np, p, t->roadadr[road], t->roadn[road], x);
+      x4 = x - p[t->roadadr[road] + MAGGI_BUMPS_FIRST] - k6 * p[t->roadadr[road] +
+          MAGGI_BUMPS_SPACING];
+      radius2 = p[t->roadadr[road]];
+      base2 = radius2 - p[t->roadadr[road] + MAGGI_BUMPS_HEIGHT];
+      t22 = radius2 * radius2 - base2 * base2;
+      c4 = sqrt(t22);
+      f3 = 0.5 * p[t->roadadr[road] + MAGGI_BUMPS_FILLET];
+      if (MAGGI_RE(x4) > 0.0) {
+        way2 = 1.0;
+      } else {
+        way2 = -1.0;
+      }
+      y2 = way2 * x4;
+      b31b = h12b;
+      h12b = 0.0;
+      h11b = 0.0;
+      b30b = h10b;
+      h10b = 0.0;
+      base2b = 0.0;
+      c4b = 0.0;
+      f3b = 0.0;
+      radius2b = 0.0;
+      x4b = 0.0;
+      y2b = 0.0;
+      if (MAGGI_RE(y2) >= MAGGI_RE(c4 + f3)) {
+        b31b = 0.0;
+        b30b = 0.0;
+      } else if (MAGGI_RE(y2) > MAGGI_RE(c4 - f3)) {
+        t23 = radius2 * radius2 - (c4 - f3) * (c4 - f3);
+        z3 = sqrt(t23);
+        h0_3 = z3 - base2;
+        h1_3 = 2.0 * f3 * (c4 - f3) / z3;
+        a4 = 3.0 * h0_3 - h1_3;
+        t24 = z3 * z3 * z3;
+        t25 = 2.0 * f3 * f3 * radius2 * radius2 / t24;
+        b4 = 6.0 * h0_3 - 3.0 * h1_3 - t25;
+        t26 = 2.0 * f3;
+        u3 = (c4 + f3 - y2) / t26;
+        w3 = 1.0 - u3;
+        t27 = 2.0 * f3;
+        t28 = -way2 * u3 * u3 * (3.0 * (h0_3 + w3 * (a4 + w3 * b4)) - u3 * (a4 + 2.0 * w3 * b4)) /
+            t27;
+        t28b = b31b;
+        b31b = 0.0;
+        tb51 = t28b / t27;
+        tb52 = tb51 * (3.0 * (h0_3 + w3 * (a4 + w3 * b4)) - u3 * (a4 + 2.0 * w3 * b4));
+        u3b = -(tb52 * u3 * way2);
+        u3b += tb52 * (-way2 * u3);
+        tb53 = tb51 * (-way2 * u3 * u3);
+        tb54 = tb53 * 3.0;
+        h0_3b = tb54;
+        w3b = tb54 * (a4 + w3 * b4);
+        tb55 = tb54 * w3;
+        a4b = tb55;
+        w3b += tb55 * b4;
+        b4b = tb55 * w3;
+        u3b -= tb53 * (a4 + 2.0 * w3 * b4);
+        tb56 = tb53 * u3;
+        a4b -= tb56;
+        w3b -= tb56 * b4 * 2.0;
+        b4b -= tb56 * (2.0 * w3);
+        t27b = -(tb51 * t28);
+        f3b += t27b * 2.0;
+        tb47 = b30b * (h0_3 + w3 * (a4 + w3 * b4));
+        tb48 = tb47 * u3;
+        u3b += tb48 * u3;
+        u3b += tb48 * u3;
+        u3b += tb47 * (u3 * u3);
+        tb49 = b30b * (u3 * u3 * u3);
+        h0_3b += tb49;
+        w3b += tb49 * (a4 + w3 * b4);
+        tb50 = tb49 * w3;
+        a4b += tb50;
+        w3b += tb50 * b4;
+        b4b += tb50 * w3;
+        b30b = 0.0;
+        u3b -= w3b;
+        tb46 = u3b / t26;
+        c4b += tb46;
+        f3b += tb46;
+        y2b -= tb46;
+        t26b = -(tb46 * u3);
+        f3b += t26b * 2.0;
+        h0_3b += b4b * 6.0;
+        h1_3b = -(b4b * 3.0);
+        t25b = -b4b;
+        tb43 = t25b / t24;
+        tb44 = tb43 * radius2;
+        tb45 = tb44 * radius2;
+        f3b += tb45 * f3 * 2.0;
+        f3b += tb45 * (2.0 * f3);
+        radius2b += tb44 * (2.0 * f3 * f3);
+        radius2b += tb43 * (2.0 * f3 * f3 * radius2);
+        t24b = -(tb43 * t25);
+        tb42 = t24b * z3;
+        z3b = tb42 * z3;
+        z3b += tb42 * z3;
+        z3b += t24b * (z3 * z3);
+        h0_3b += a4b * 3.0;
+        h1_3b -= a4b;
+        tb40 = h1_3b / z3;
+        f3b += tb40 * (c4 - f3) * 2.0;
+        tb41 = tb40 * (2.0 * f3);
+        c4b += tb41;
+        f3b -= tb41;
+        z3b -= tb40 * h1_3;
+        z3b += h0_3b;
+        base2b -= h0_3b;
+        t23b = z3b * (1.0 / (2.0 * z3));
+        radius2b += t23b * radius2;
+        radius2b += t23b * radius2;
+        tb38 = t23b * (c4 - f3);
+        c4b -= tb38;
+        f3b += tb38;
+        tb39 = t23b * (c4 - f3);
+        c4b -= tb39;
+        f3b += tb39;
+      } else {
+        t29 = radius2 * radius2 - y2 * y2;
+        z3_3 = sqrt(t29);
+        t30 = -x4 / z3_3;
+        t30b = b31b;
+        b31b = 0.0;
+        tb57 = t30b / z3_3;
+        x4b -= tb57;
+        z3_3b = -(tb57 * t30);
+        z3_3b += b30b;
+        base2b -= b30b;
+        b30b = 0.0;
+        t29b = z3_3b * (1.0 / (2.0 * z3_3));
+        radius2b += t29b * radius2;
+        radius2b += t29b * radius2;
+        y2b -= t29b * y2;
+        y2b -= t29b * y2;
+      }
+      x4b += y2b * way2;
+      pb[t->roadadr[road] + MAGGI_BUMPS_FILLET] += f3b * 0.5;
+      t22b = c4b * (1.0 / (2.0 * c4));
+      radius2b += t22b * radius2;
+      radius2b += t22b * radius2;
+      base2b -= t22b * base2;
+      base2b -= t22b * base2;
+      radius2b += base2b;
+      pb[t->roadadr[road] + MAGGI_BUMPS_HEIGHT] -= base2b;
+      /* A cylinder across the road, at x from its axis:  h = sqrt(R^2 - x^2) - (R - height), up to where it
+       * meets the road, |x| = c.  From c - f to c + f a fillet with two continuous derivatives,
+       *   h = u^3 (h0 + a (1 - u) + b (1 - u)^2),  u = (c + f - |x|) / (2 f),  h0, a, b: h, h', h'' at u = 1 */
+      pb[t->roadadr[road]] += radius2b;
+      xb += x4b;
+      pb[t->roadadr[road] + MAGGI_BUMPS_FIRST] -= x4b;
+      pb[t->roadadr[road] + MAGGI_BUMPS_SPACING] -= x4b * k6;
+    } else {
+      k8 = maggi_piece(t->np, p, t->roadadr[road], t->roadn[road], x);
+      h12b = 0.0;
+      s31b = h11b;
+      h11b = 0.0;
+      s30b = h10b;
+      h10b = 0.0;
+      if (k8 < 0) {
+        p_road6 = p[t->roadadr[road]];
+        h2 = p[t->roadadr[road] + 1] - p_road6;
+        p_roadroad2 = p[t->roadadr[road] + t->roadn[road]];
+        t31 = (p[t->roadadr[road] + t->roadn[road] + 1] - p_roadroad2) / h2;
+        slope2 = t31 - h2 / 6.0 * (2.0 * spline0[t->roadspline[road]][0] +
+            spline0[t->roadspline[road] + 1][0]);
+        slope2b = s31b;
+        s31b = 0.0;
+        p_roadroad2b = s30b;
+        slope2b += s30b * (x - p_road6);
+        tb60 = s30b * slope2;
+        xb += tb60;
+        p_road6b = -tb60;
+        s30b = 0.0;
+        t31b = slope2b;
+        h2b = -(slope2b * (2.0 * spline0[t->roadspline[road]][0] + spline0[t->roadspline[road] +
+            1][0]) / 6.0);
+        tb59 = slope2b * (h2 / 6.0);
+        spline0b[t->roadspline[road]][0] -= tb59 * 2.0;
+        spline0b[t->roadspline[road] + 1][0] -= tb59;
+        tb58 = t31b / h2;
+        pb[t->roadadr[road] + t->roadn[road] + 1] += tb58;
+        p_roadroad2b -= tb58;
+        h2b -= tb58 * t31;
+        pb[t->roadadr[road] + t->roadn[road]] += p_roadroad2b;
+        pb[t->roadadr[road] + 1] += h2b;
+        p_road6b -= h2b;
+        pb[t->roadadr[road]] += p_road6b;
+      } else if (k8 > t->roadn[road] - 2) {
+        p5 = p[t->roadadr[road] + t->roadn[road] - 1];
+        h2_2 = p5 - p[t->roadadr[road] + t->roadn[road] - 2];
+        p6 = p[t->roadadr[road] + t->roadn[road] + t->roadn[road] - 1];
+        t32 = (p6 - p[t->roadadr[road] + t->roadn[road] + t->roadn[road] - 2]) / h2_2;
+        slope2_2 = t32 + h2_2 / 6.0 * (spline0[t->roadspline[road] + t->roadn[road] - 2][0] + 2.0 *
+            spline0[t->roadspline[road] + t->roadn[road] - 1][0]);
+        slope2_2b = s31b;
+        s31b = 0.0;
+        p6b = s30b;
+        slope2_2b += s30b * (x - p5);
+        tb63 = s30b * slope2_2;
+        xb += tb63;
+        p5b = -tb63;
+        s30b = 0.0;
+        t32b = slope2_2b;
+        h2_2b = slope2_2b * (spline0[t->roadspline[road] + t->roadn[road] - 2][0] + 2.0 *
+            spline0[t->roadspline[road] + t->roadn[road] - 1][0]) / 6.0;
+        tb62 = slope2_2b * (h2_2 / 6.0);
+        spline0b[t->roadspline[road] + t->roadn[road] - 2][0] += tb62;
+        spline0b[t->roadspline[road] + t->roadn[road] - 1][0] += tb62 * 2.0;
+        tb61 = t32b / h2_2;
+        p6b += tb61;
+        pb[t->roadadr[road] + t->roadn[road] + t->roadn[road] - 2] -= tb61;
+        h2_2b -= tb61 * t32;
+        pb[t->roadadr[road] + t->roadn[road] + t->roadn[road] - 1] += p6b;
+        p5b += h2_2b;
+        pb[t->roadadr[road] + t->roadn[road] - 2] -= h2_2b;
+        pb[t->roadadr[road] + t->roadn[road] - 1] += p5b;
+      } else {
+        p_roadk81 = p[t->roadadr[road] + k8 + 1];
+        p_roadk8 = p[t->roadadr[road] + k8];
+        h2_3 = p_roadk81 - p_roadk8;
+        a5 = p_roadk81 - x;
+        c5 = x - p_roadk8;
+        p7 = p[t->roadadr[road] + t->roadn[road] + k8];
+        t33 = (p[t->roadadr[road] + t->roadn[road] + k8 + 1] - p7) / h2_3;
+        spline0_roadk810 = spline0[t->roadspline[road] + k8 + 1][0];
+        spline0_roadk80 = spline0[t->roadspline[road] + k8][0];
+        e2 = t33 - h2_3 / 6.0 * (spline0_roadk810 - spline0_roadk80);
+        t34 = 6.0 * h2_3;
+        t35 = (spline0_roadk80 * a5 * a5 * a5 + spline0_roadk810 * c5 * c5 * c5) / t34;
+        t36 = 2.0 * h2_3;
+        t37 = (spline0_roadk810 * c5 * c5 - spline0_roadk80 * a5 * a5) / t36;
+        t37b = s31b;
+        e2b = s31b;
+        s31b = 0.0;
+        tb73 = t37b / t36;
+        tb74 = tb73 * c5;
+        spline0_roadk810b = tb74 * c5;
+        c5b = tb74 * spline0_roadk810;
+        c5b += tb73 * (spline0_roadk810 * c5);
+        tb75 = tb73 * a5;
+        spline0_roadk80b = -(tb75 * a5);
+        a5b = -(tb75 * spline0_roadk80);
+        a5b -= tb73 * (spline0_roadk80 * a5);
+        t36b = -(tb73 * t37);
+        h2_3b = t36b * 2.0;
+        t35b = s30b;
+        p7b = s30b;
+        tb71 = s30b / 6.0;
+        tb72 = tb71 * h2_3;
+        spline0_roadk80b -= tb72 * h2_3;
+        h2_3b -= tb72 * spline0_roadk80;
+        h2_3b -= tb71 * (spline0_roadk80 * h2_3);
+        e2b += s30b * c5;
+        c5b += s30b * e2;
+        s30b = 0.0;
+        tb66 = t35b / t34;
+        tb67 = tb66 * a5;
+        tb68 = tb67 * a5;
+        spline0_roadk80b += tb68 * a5;
+        a5b += tb68 * spline0_roadk80;
+        a5b += tb67 * (spline0_roadk80 * a5);
+        a5b += tb66 * (spline0_roadk80 * a5 * a5);
+        tb69 = tb66 * c5;
+        tb70 = tb69 * c5;
+        spline0_roadk810b += tb70 * c5;
+        c5b += tb70 * spline0_roadk810;
+        c5b += tb69 * (spline0_roadk810 * c5);
+        c5b += tb66 * (spline0_roadk810 * c5 * c5);
+        t34b = -(tb66 * t35);
+        h2_3b += t34b * 6.0;
+        t33b = e2b;
+        h2_3b -= e2b * (spline0_roadk810 - spline0_roadk80) / 6.0;
+        tb65 = e2b * (h2_3 / 6.0);
+        spline0_roadk810b -= tb65;
+        spline0_roadk80b += tb65;
+        spline0b[t->roadspline[road] + k8][0] += spline0_roadk80b;
+        spline0b[t->roadspline[road] + k8 + 1][0] += spline0_roadk810b;
+        tb64 = t33b / h2_3;
+        pb[t->roadadr[road] + t->roadn[road] + k8 + 1] += tb64;
+        p7b -= tb64;
+        h2_3b -= tb64 * t33;
+        pb[t->roadadr[road] + t->roadn[road] + k8] += p7b;
+        xb += c5b;
+        p_roadk8b = -c5b;
+        p_roadk81b = a5b;
+        xb -= a5b;
+        p_roadk81b += h2_3b;
+        p_roadk8b -= h2_3b;
+        pb[t->roadadr[road] + k8] += p_roadk8b;
+        pb[t->roadadr[road] + k8 + 1] += p_roadk81b;
+      }
+    }
+    g0b += xb;
+    t17b = xb * (g2_2 - h00);
+    tb35 = xb * t17;
+    g2_2b += tb35;
+    h00b = -tb35;
+    tb34 = t17b / t16;
+    u2_2b += tb34 * u0;
+    u0b += tb34 * u2_2;
+    t16b = -(tb34 * t17);
+    u0b += t16b * u0;
+    u0b += t16b * u0;
+    u1b += t16b * u1;
+    u1b += t16b * u1;
+    x2b = 0.0;
+    if (t->roadkind[road] == MAGGI_ROAD_FLAT) {
+      p_road = p[t->roadadr[road]];
+      p_roadb = h00b * x2;
+      x2b += h00b * p_road;
+      h00b = 0.0;
+      pb[t->roadadr[road]] += p_roadb;
+    } else if (t->roadkind[road] == MAGGI_ROAD_SINE) {
+      k4 = 6.28318530717958647693 / p[t->roadadr[road] + 1];
+      t3 = k4 * x2;
+      t4 = sin(t3);
+      p_road2 = p[t->roadadr[road]];
+      p_road2b = h00b * t4;
+      t4b = h00b * p_road2;
+      h00b = 0.0;
+      pb[t->roadadr[road]] += p_road2b;
+      t3b = t4b * cos(t3);
+      k4b = t3b * x2;
+      x2b += t3b * k4;
+      tb5 = k4b / p[t->roadadr[road] + 1];
+      pb[t->roadadr[road] + 1] -= tb5 * k4;
+    } else if (t->roadkind[road] == MAGGI_ROAD_BUMPS) {
+      k3 = nearest_nodiff(t->np, p, t->roadadr[road], t->roadn[road], x2);
+      x3 = x2 - p[t->roadadr[road] + MAGGI_BUMPS_FIRST] - k3 * p[t->roadadr[road] +
+          MAGGI_BUMPS_SPACING];
+      radius = p[t->roadadr[road]];
+      base = radius - p[t->roadadr[road] + MAGGI_BUMPS_HEIGHT];
+      t5 = radius * radius - base * base;
+      c2 = sqrt(t5);
+      f2 = 0.5 * p[t->roadadr[road] + MAGGI_BUMPS_FILLET];
+      if (MAGGI_RE(x3) > 0.0) {
+        way = 1.0;
+      } else {
+        way = -1.0;
+      }
+      y = way * x3;
+      b0b = h00b;
+      h00b = 0.0;
+      baseb = 0.0;
+      c2b = 0.0;
+      f2b = 0.0;
+      radiusb = 0.0;
+      yb = 0.0;
+      if (MAGGI_RE(y) >= MAGGI_RE(c2 + f2)) {
+        b0b = 0.0;
+      } else if (MAGGI_RE(y) > MAGGI_RE(c2 - f2)) {
+        t6 = radius * radius - (c2 - f2) * (c2 - f2);
+        z2 = sqrt(t6);
+        h0_2 = z2 - base;
+        h1_2 = 2.0 * f2 * (c2 - f2) / z2;
+        a2 = 3.0 * h0_2 - h1_2;
+        t7 = z2 * z2 * z2;
+        t8 = 2.0 * f2 * f2 * radius * radius / t7;
+        b2 = 6.0 * h0_2 - 3.0 * h1_2 - t8;
+        t9 = 2.0 * f2;
+        u2 = (c2 + f2 - y) / t9;
+        w2 = 1.0 - u2;
+        tb15 = b0b * (h0_2 + w2 * (a2 + w2 * b2));
+        tb16 = tb15 * u2;
+        u2b = tb16 * u2;
+        u2b += tb16 * u2;
+        u2b += tb15 * (u2 * u2);
+        tb17 = b0b * (u2 * u2 * u2);
+        h0_2b = tb17;
+        w2b = tb17 * (a2 + w2 * b2);
+        tb18 = tb17 * w2;
+        a2b = tb18;
+        w2b += tb18 * b2;
+        b2b = tb18 * w2;
+        b0b = 0.0;
+        u2b -= w2b;
+        tb14 = u2b / t9;
+        c2b += tb14;
+        f2b += tb14;
+        yb -= tb14;
+        t9b = -(tb14 * u2);
+        f2b += t9b * 2.0;
+        h0_2b += b2b * 6.0;
+        h1_2b = -(b2b * 3.0);
+        t8b = -b2b;
+        tb11 = t8b / t7;
+        tb12 = tb11 * radius;
+        tb13 = tb12 * radius;
+        f2b += tb13 * f2 * 2.0;
+        f2b += tb13 * (2.0 * f2);
+        radiusb += tb12 * (2.0 * f2 * f2);
+        radiusb += tb11 * (2.0 * f2 * f2 * radius);
+        t7b = -(tb11 * t8);
+        tb10 = t7b * z2;
+        z2b = tb10 * z2;
+        z2b += tb10 * z2;
+        z2b += t7b * (z2 * z2);
+        h0_2b += a2b * 3.0;
+        h1_2b -= a2b;
+        tb8 = h1_2b / z2;
+        f2b += tb8 * (c2 - f2) * 2.0;
+        tb9 = tb8 * (2.0 * f2);
+        c2b += tb9;
+        f2b -= tb9;
+        z2b -= tb8 * h1_2;
+        z2b += h0_2b;
+        baseb -= h0_2b;
+        t6b = z2b * (1.0 / (2.0 * z2));
+        radiusb += t6b * radius;
+        radiusb += t6b * radius;
+        tb6 = t6b * (c2 - f2);
+        c2b -= tb6;
+        f2b += tb6;
+        tb7 = t6b * (c2 - f2);
+        c2b -= tb7;
+        f2b += tb7;
+      } else {
+        t10 = radius * radius - y * y;
+        z2_3 = sqrt(t10);
+        z2_3b = b0b;
+        baseb -= b0b;
+        b0b = 0.0;
+        t10b = z2_3b * (1.0 / (2.0 * z2_3));
+        radiusb += t10b * radius;
+        radiusb += t10b * radius;
+        yb -= t10b * y;
+        yb -= t10b * y;
+      }
+      x3b = yb * way;
+      pb[t->roadadr[road] + MAGGI_BUMPS_FILLET] += f2b * 0.5;
+      t5b = c2b * (1.0 / (2.0 * c2));
+      radiusb += t5b * radius;
+      radiusb += t5b * radius;
+      baseb -= t5b * base;
+      baseb -= t5b * base;
+      radiusb += baseb;
+      pb[t->roadadr[road] + MAGGI_BUMPS_HEIGHT] -= baseb;
+      /* A cylinder across the road, at x from its axis:  h = sqrt(R^2 - x^2) - (R - height), up to where it
+       * meets the road, |x| = c.  From c - f to c + f a fillet with two continuous derivatives,
+       *   h = u^3 (h0 + a (1 - u) + b (1 - u)^2),  u = (c + f - |x|) / (2 f),  h0, a, b: h, h', h'' at u = 1 */
+      pb[t->roadadr[road]] += radiusb;
+      x2b += x3b;
+      pb[t->roadadr[road] + MAGGI_BUMPS_FIRST] -= x3b;
+      pb[t->roadadr[road] + MAGGI_BUMPS_SPACING] -= x3b * k3;
+    } else {
+      k5 = maggi_piece(t->np, p, t->roadadr[road], t->roadn[road], x2);
+      s20b = h00b;
+      h00b = 0.0;
+      if (k5 < 0) {
+        p_road3 = p[t->roadadr[road]];
+        h = p[t->roadadr[road] + 1] - p_road3;
+        p_roadroad = p[t->roadadr[road] + t->roadn[road]];
+        t11 = (p[t->roadadr[road] + t->roadn[road] + 1] - p_roadroad) / h;
+        slope = t11 - h / 6.0 * (2.0 * spline0[t->roadspline[road]][0] + spline0[t->roadspline[road]
+            + 1][0]);
+        p_roadroadb = s20b;
+        slopeb = s20b * (x2 - p_road3);
+        tb21 = s20b * slope;
+        x2b += tb21;
+        p_road3b = -tb21;
+        s20b = 0.0;
+        t11b = slopeb;
+        hb = -(slopeb * (2.0 * spline0[t->roadspline[road]][0] + spline0[t->roadspline[road] +
+            1][0]) / 6.0);
+        tb20 = slopeb * (h / 6.0);
+        spline0b[t->roadspline[road]][0] -= tb20 * 2.0;
+        spline0b[t->roadspline[road] + 1][0] -= tb20;
+        tb19 = t11b / h;
+        pb[t->roadadr[road] + t->roadn[road] + 1] += tb19;
+        p_roadroadb -= tb19;
+        hb -= tb19 * t11;
+        pb[t->roadadr[road] + t->roadn[road]] += p_roadroadb;
+        pb[t->roadadr[road] + 1] += hb;
+        p_road3b -= hb;
+        pb[t->roadadr[road]] += p_road3b;
+      } else if (k5 > t->roadn[road] - 2) {
+        p2 = p[t->roadadr[road] + t->roadn[road] - 1];
+        h3 = p2 - p[t->roadadr[road] + t->roadn[road] - 2];
+        p3 = p[t->roadadr[road] + t->roadn[road] + t->roadn[road] - 1];
+        t12 = (p3 - p[t->roadadr[road] + t->roadn[road] + t->roadn[road] - 2]) / h3;
+        slope3 = t12 + h3 / 6.0 * (spline0[t->roadspline[road] + t->roadn[road] - 2][0] + 2.0 *
+            spline0[t->roadspline[road] + t->roadn[road] - 1][0]);
+        p3b = s20b;
+        slope3b = s20b * (x2 - p2);
+        tb24 = s20b * slope3;
+        x2b += tb24;
+        p2b = -tb24;
+        s20b = 0.0;
+        t12b = slope3b;
+        h3b = slope3b * (spline0[t->roadspline[road] + t->roadn[road] - 2][0] + 2.0 *
+            spline0[t->roadspline[road] + t->roadn[road] - 1][0]) / 6.0;
+        tb23 = slope3b * (h3 / 6.0);
+        spline0b[t->roadspline[road] + t->roadn[road] - 2][0] += tb23;
+        spline0b[t->roadspline[road] + t->roadn[road] - 1][0] += tb23 * 2.0;
+        tb22 = t12b / h3;
+        p3b += tb22;
+        pb[t->roadadr[road] + t->roadn[road] + t->roadn[road] - 2] -= tb22;
+        h3b -= tb22 * t12;
+        pb[t->roadadr[road] + t->roadn[road] + t->roadn[road] - 1] += p3b;
+        p2b += h3b;
+        pb[t->roadadr[road] + t->roadn[road] - 2] -= h3b;
+        pb[t->roadadr[road] + t->roadn[road] - 1] += p2b;
+      } else {
+        p_roadk51 = p[t->roadadr[road] + k5 + 1];
+        p_roadk5 = p[t->roadadr[road] + k5];
+        h3_2 = p_roadk51 - p_roadk5;
+        a3 = p_roadk51 - x2;
+        c3 = x2 - p_roadk5;
+        p4 = p[t->roadadr[road] + t->roadn[road] + k5];
+        t13 = (p[t->roadadr[road] + t->roadn[road] + k5 + 1] - p4) / h3_2;
+        spline0_roadk510 = spline0[t->roadspline[road] + k5 + 1][0];
+        spline0_roadk50 = spline0[t->roadspline[road] + k5][0];
+        e = t13 - h3_2 / 6.0 * (spline0_roadk510 - spline0_roadk50);
+        t14 = 6.0 * h3_2;
+        t15 = (spline0_roadk50 * a3 * a3 * a3 + spline0_roadk510 * c3 * c3 * c3) / t14;
+        t15b = s20b;
+        p4b = s20b;
+        tb32 = s20b / 6.0;
+        tb33 = tb32 * h3_2;
+        spline0_roadk50b = -(tb33 * h3_2);
+        h3_2b = -(tb33 * spline0_roadk50);
+        h3_2b -= tb32 * (spline0_roadk50 * h3_2);
+        eb = s20b * c3;
+        c3b = s20b * e;
+        s20b = 0.0;
+        tb27 = t15b / t14;
+        tb28 = tb27 * a3;
+        tb29 = tb28 * a3;
+        spline0_roadk50b += tb29 * a3;
+        a3b = tb29 * spline0_roadk50;
+        a3b += tb28 * (spline0_roadk50 * a3);
+        a3b += tb27 * (spline0_roadk50 * a3 * a3);
+        tb30 = tb27 * c3;
+        tb31 = tb30 * c3;
+        spline0_roadk510b = tb31 * c3;
+        c3b += tb31 * spline0_roadk510;
+        c3b += tb30 * (spline0_roadk510 * c3);
+        c3b += tb27 * (spline0_roadk510 * c3 * c3);
+        t14b = -(tb27 * t15);
+        h3_2b += t14b * 6.0;
+        t13b = eb;
+        h3_2b -= eb * (spline0_roadk510 - spline0_roadk50) / 6.0;
+        tb26 = eb * (h3_2 / 6.0);
+        spline0_roadk510b -= tb26;
+        spline0_roadk50b += tb26;
+        spline0b[t->roadspline[road] + k5][0] += spline0_roadk50b;
+        spline0b[t->roadspline[road] + k5 + 1][0] += spline0_roadk510b;
+        tb25 = t13b / h3_2;
+        pb[t->roadadr[road] + t->roadn[road] + k5 + 1] += tb25;
+        p4b -= tb25;
+        h3_2b -= tb25 * t13;
+        pb[t->roadadr[road] + t->roadn[road] + k5] += p4b;
+        x2b += c3b;
+        p_roadk5b = -c3b;
+        p_roadk51b = a3b;
+        x2b -= a3b;
+        p_roadk51b += h3_2b;
+        p_roadk5b -= h3_2b;
+        pb[t->roadadr[road] + k5] += p_roadk5b;
+        pb[t->roadadr[road] + k5 + 1] += p_roadk51b;
+      }
+    }
+    /* Where the rigid disc of a wheel meets the road: the plane that touches the road where the line from
+     * the centre down the disc meets it, n its normal; then down the disc to that plane,
+     *   e = (u.n u - n) / |u × n|,  r = (c - q).n / |u × n|,  T = u × n / |u × n|,  L = n × T
+     * g: centre c from the point of the road.  arm: r e; z: r, u.n, |u × n|, slope that the plane lacks */
+    g0b += x2b;
+    rb[point][2] += g2_2b;
+    rb[t->roadpoint[road]][2] -= g2_2b;
+    rb[point][0] += g0b;
+    rb[t->roadpoint[road]][0] -= g0b;
+    tb4 = u2_2b / n2;
+    ua2b = tb4;
+    n2b = -(tb4 * u2_2);
+    tb3 = u1b / n2;
+    ua1b = tb3;
+    n2b -= tb3 * u1;
+    tb2 = u0b / n2;
+    ua0b = tb2;
+    n2b -= tb2 * u0;
+    t2b = n2b * (1.0 / (2.0 * n2));
+    ua0b += t2b * ua0;
+    ua0b += t2b * ua0;
+    ua1b += t2b * ua1;
+    ua1b += t2b * ua1;
+    ua2b += t2b * ua2;
+    ua2b += t2b * ua2;
+    Ab[a][6] += ua2b * axis0;
+    axis0b = ua2b * A[a][6];
+    Ab[a][7] += ua2b * axis1;
+    axis1b = ua2b * A[a][7];
+    Ab[a][8] += ua2b * axis2;
+    axis2b = ua2b * A[a][8];
+    Ab[a][3] += ua1b * axis0;
+    axis0b += ua1b * A[a][3];
+    Ab[a][4] += ua1b * axis1;
+    axis1b += ua1b * A[a][4];
+    Ab[a][5] += ua1b * axis2;
+    axis2b += ua1b * A[a][5];
+    Ab[a][0] += ua0b * axis0;
+    axis0b += ua0b * A[a][0];
+    Ab[a][1] += ua0b * axis1;
+    axis1b += ua0b * A[a][1];
+    Ab[a][2] += ua0b * axis2;
+    axis2b += ua0b * A[a][2];
+    pb[t->wheelaxis[i] + 2] += axis2b;
+    pb[t->wheelaxis[i] + 1] += axis1b;
+    pb[t->wheelaxis[i]] += axis0b;
   }
 }
 
-/* Rates of the coordinates on which wheels turn at which they roll freely, kappa = 0: with V the velocity of
- * the contact point on the carrier and w the velocity of the wheel by its coordinate
- *   v = V.t / (Re w.u) */
+/* Rates of the coordinates on which wheels turn at which they roll freely, kappa = 0: with w that of the
+ * carrier and w_q that of the wheel on it at the rate 1
+ *   v = (V.t / Re - w.u) / (w_q.u) */
 void maggi_rolling_b(const maggi_topo *t, const double p[restrict t->np], double pb[restrict t->np],
+                     const double spline0[restrict t->nspline][3],
+                     double spline0b[restrict t->nspline][3],
                      const double A[restrict t->nbody + 1][9], double Ab[restrict t->nbody + 1][9],
                      const double b[restrict t->nbody][6], double bb[restrict t->nbody][6],
                      const double r[restrict t->npoint][3], double rb[restrict t->npoint][3],
                      const double Z[restrict t->nbody + 1][6], double Zb[restrict t->nbody + 1][6],
                      double spin[restrict t->nwheel], double spinb[restrict t->nwheel])
 {
-  int adr, body, carrier, i, road;
-  double N0, N0b, N1, N2, N2b, T0, T0b, T1, T1b, T2, T2b, a00, a00b, a01, a01b, a02, a02b, along0,
-      along0b, along1, along1b, along2, along2b, arm0, arm0b, arm1, arm1b, arm2, arm2b, c0, c0b, c1,
-      c1b, c2, c2_2, c2_2b, c2b, fz, fz0, fz0b, fzb, g0, g0b, g2, g2b, h00, h00b, h10, h10b, h11,
-      h11b, n2, n2b, n30, n30b, n31, n32, n32b, p2, p2b, p3, p3b, p_road, p_road1, p_road1_2,
-      p_road1_2b, p_road1b, p_road2, p_road2b, p_road3, p_road3b, p_road4, p_road4b, p_roadb, r2,
-      r2b, ratio, ratiob, re, reb, rhov, rhovb, s, sb, t10, t10b, t11, t11b, t12, t12b, t13, t13b,
-      t14, t14b, t15, t15b, t16, t16b, t17, t17b, t2, t2b, t3, t3b, t4, t4b, t5, t5b, t6, t6b, t7,
-      t7b, t8, t8b, t9, t9b, tb10, tb11, tb12, tb13, tb14, tb15, tb16, tb17, tb18, tb19, tb2, tb20,
-      tb21, tb22, tb23, tb24, tb25, tb26, tb27, tb28, tb29, tb3, tb30, tb31, tb32, tb4, tb5, tb6,
-      tb7, tb8, tb9, u0, u0b, u1, u1b, u2, u2b, ua0, ua0b, ua1, ua1b, ua2, ua2b, un0, un0b, un1,
-      un1b, un2, un2b, v0, v0b, v1, v1b, v2, v2b, w0, w0b, w1, w1b, w2, w2_2, w2_2b, w2b, wr0, wr0b,
-      wr1, wr1b, wr2, wr2b, x, x2, x2b, xb, z0, z0b, z2, z2b;
+  int adr, body, carrier, i, k3, k5, k6, k8, road;
+  double N0, N0b, N1, N2, N2b, T0, T0b, T1, T1b, T2, T2b, a, a00, a00b, a01, a01b, a02, a02b, a2,
+      a2b, a3, a3b, a4, a4b, ab, along0, along0b, along1, along1b, along2, along2b, arm0, arm0b,
+      arm1, arm1b, arm2, arm2b, b20, b20b, b3, b3b, b40, b40b, b41, b41b, b5, b5b, base, base2,
+      base2b, baseb, c, c2, c2b, c3, c3b, c4, c4b, c5, c5b, cb, e, e2, e2b, eb, f, f2, f2b, fb, fz,
+      fz0, fz0b, fzb, g0, g0b, g2, g2b, h, h00, h00b, h0_2, h0_2b, h0_3, h0_3b, h10, h10b, h11,
+      h11b, h12, h12b, h1_2, h1_2b, h1_3, h1_3b, h2, h2_2, h2_2b, h2_3, h2_3b, h2b, h3, h3_2, h3_2b,
+      h3b, hb, k4, k4b, k7, k7b, n2, n2b, normal0, normal0b, normal1, normal2, normal2b, p2, p2b,
+      p3, p3b, p4, p4b, p5, p5b, p6, p6b, p7, p7b, p_road, p_road2, p_road2b, p_road3, p_road3b,
+      p_road4, p_road4b, p_road5, p_road5b, p_road6, p_road6b, p_roadb, p_roadk5, p_roadk51,
+      p_roadk51b, p_roadk5b, p_roadk8, p_roadk81, p_roadk81b, p_roadk8b, p_roadroad, p_roadroad2,
+      p_roadroad2b, p_roadroadb, r2, r2b, r_i0, r_i0b, r_i1, r_i1b, r_i2, r_i2b, radius, radius2,
+      radius2b, radiusb, ratio, ratiob, re, re2, re2b, reb, rhov, rhovb, s, s20, s20b, s30, s30b,
+      s31, s31b, sb, slope, slope2, slope2_2, slope2_2b, slope2b, slope3, slope3b, slopeb,
+      spline0_roadk50, spline0_roadk50b, spline0_roadk510, spline0_roadk510b, spline0_roadk80,
+      spline0_roadk80b, spline0_roadk810, spline0_roadk810b, t10, t10b, t11, t11b, t12, t12b, t13,
+      t13b, t14, t14b, t15, t15b, t16, t16b, t17, t17b, t18, t18b, t19, t19b, t2, t20, t20b, t21,
+      t21b, t22, t22b, t23, t23b, t24, t24b, t25, t25b, t26, t26b, t27, t27b, t28, t28b, t29, t29b,
+      t2b, t3, t30, t30b, t31, t31b, t32, t32b, t33, t33b, t34, t34b, t35, t35b, t36, t36b, t37,
+      t37b, t38, t38b, t39, t39b, t3b, t4, t40, t40b, t41, t41b, t42, t42b, t43, t43b, t44, t44b,
+      t4b, t5, t5b, t6, t6b, t7, t7b, t8, t8b, t9, t9b, tb10, tb11, tb12, tb13, tb14, tb15, tb16,
+      tb17, tb18, tb19, tb2, tb20, tb21, tb22, tb23, tb24, tb25, tb26, tb27, tb28, tb29, tb3, tb30,
+      tb31, tb32, tb33, tb34, tb35, tb36, tb37, tb38, tb39, tb4, tb40, tb41, tb42, tb43, tb44, tb45,
+      tb46, tb47, tb48, tb49, tb5, tb50, tb51, tb52, tb53, tb54, tb55, tb56, tb57, tb58, tb59, tb6,
+      tb60, tb61, tb62, tb63, tb64, tb65, tb66, tb67, tb68, tb69, tb7, tb70, tb71, tb72, tb73, tb74,
+      tb75, tb76, tb77, tb78, tb79, tb8, tb80, tb81, tb82, tb83, tb84, tb85, tb86, tb87, tb88, tb89,
+      tb9, tb90, tb91, tb92, tb93, tb94, tb95, tb96, tb97, turn, turnb, u0, u0b, u1, u1b, u2, u2_2,
+      u2_2b, u2b, u3, u3b, ua0, ua0b, ua1, ua1b, ua2, ua2b, un0, un0b, un1, un1b, un2, un2b, v0,
+      v0b, v1, v1b, v2, v2b, vc0, vc0b, vc1, vc1b, vc2, vc2b, vr0, vr0b, vr1, vr1b, vr2, vr2b, w0,
+      w0b, w1, w1b, w2, w2_2, w2_2b, w2b, w3, w3b, w4, w4b, way, way2, wr0, wr0b, wr1, wr1b, wr2,
+      wr2b, x, x2, x2b, x3, x3b, x4, x4b, xb, y, y2, y2b, yb, z0, z0b, z2, z2_2, z2_2b, z2_3, z2_3b,
+      z2b, z3, z3_2, z3_2b, z3_3, z3_3b, z3b;
 
   for (i = t->nwheel - 1; i >= 0; --i) {
     adr = t->tyreadr[t->wheeltyre[i]];
@@ -1075,302 +2480,807 @@ void maggi_rolling_b(const maggi_topo *t, const double p[restrict t->np], double
     n2 = sqrt(t2);
     u0 = ua0 / n2;
     u1 = ua1 / n2;
-    u2 = ua2 / n2;
+    u2_2 = ua2 / n2;
     g0 = r[t->wheelpoint[i]][0] - r[t->roadpoint[road]][0];
     g2 = r[t->wheelpoint[i]][2] - r[t->roadpoint[road]][2];
     x2 = g0;
     if (t->roadkind[road] == MAGGI_ROAD_FLAT) {
       p_road = p[t->roadadr[road]];
       h00 = p_road * x2;
-    } else {
-      p_road1 = p[t->roadadr[road] + 1];
-      t3 = 6.28318530717958647693 * x2 / p_road1;
+    } else if (t->roadkind[road] == MAGGI_ROAD_SINE) {
+      k4 = 6.28318530717958647693 / p[t->roadadr[road] + 1];
+      t3 = k4 * x2;
       t4 = sin(t3);
       p_road2 = p[t->roadadr[road]];
       h00 = p_road2 * t4;
-    }
-    t5 = u0 * u0 + u1 * u1;
-    t6 = u2 * u0 / t5;
-    x = g0 + t6 * (g2 - h00);
-    if (t->roadkind[road] == MAGGI_ROAD_FLAT) {
-      p_road3 = p[t->roadadr[road]];
-      h10 = p_road3 * x;
-      h11 = p_road3;
+    } else if (t->roadkind[road] == MAGGI_ROAD_BUMPS) {
+      k3 = nearest_nodiff(t->np, p, t->roadadr[road], t->roadn[road], x2);
+      x3 = x2 - p[t->roadadr[road] + MAGGI_BUMPS_FIRST] - k3 * p[t->roadadr[road] +
+          MAGGI_BUMPS_SPACING];
+      radius = p[t->roadadr[road]];
+      base = radius - p[t->roadadr[road] + MAGGI_BUMPS_HEIGHT];
+      t5 = radius * radius - base * base;
+      c2 = sqrt(t5);
+      f = 0.5 * p[t->roadadr[road] + MAGGI_BUMPS_FILLET];
+      if (MAGGI_RE(x3) > 0.0) {
+        way = 1.0;
+      } else {
+        way = -1.0;
+      }
+      y = way * x3;
+      if (MAGGI_RE(y) >= MAGGI_RE(c2 + f)) {
+        b20 = 0.0;
+      } else if (MAGGI_RE(y) > MAGGI_RE(c2 - f)) {
+        t6 = radius * radius - (c2 - f) * (c2 - f);
+        z2 = sqrt(t6);
+        h0_2 = z2 - base;
+        h1_2 = 2.0 * f * (c2 - f) / z2;
+        a = 3.0 * h0_2 - h1_2;
+        t7 = z2 * z2 * z2;
+        t8 = 2.0 * f * f * radius * radius / t7;
+        b3 = 6.0 * h0_2 - 3.0 * h1_2 - t8;
+        t9 = 2.0 * f;
+        u2 = (c2 + f - y) / t9;
+        w3 = 1.0 - u2;
+        b20 = u2 * u2 * u2 * (h0_2 + w3 * (a + w3 * b3));
+      } else {
+        t10 = radius * radius - y * y;
+        z2_3 = sqrt(t10);
+        b20 = z2_3 - base;
+      }
+      h00 = b20;
     } else {
-      p_road1_2 = p[t->roadadr[road] + 1];
-      t7 = 6.28318530717958647693 * x / p_road1_2;
-      t8 = sin(t7);
-      p_road4 = p[t->roadadr[road]];
-      h10 = p_road4 * t8;
-      t9 = p_road4 * 6.28318530717958647693 / p_road1_2;
-      t10 = 6.28318530717958647693 * x / p_road1_2;
-      t11 = cos(t10);
-      h11 = t9 * t11;
+      k5 = maggi_piece(t->np, p, t->roadadr[road], t->roadn[road], x2);
+      if (k5 < 0) {
+        p_road3 = p[t->roadadr[road]];
+        h = p[t->roadadr[road] + 1] - p_road3;
+        p_roadroad = p[t->roadadr[road] + t->roadn[road]];
+        t11 = (p[t->roadadr[road] + t->roadn[road] + 1] - p_roadroad) / h;
+        slope = t11 - h / 6.0 * (2.0 * spline0[t->roadspline[road]][0] + spline0[t->roadspline[road]
+            + 1][0]);
+        s20 = p_roadroad + slope * (x2 - p_road3);
+      } else if (k5 > t->roadn[road] - 2) {
+        p2 = p[t->roadadr[road] + t->roadn[road] - 1];
+        h3 = p2 - p[t->roadadr[road] + t->roadn[road] - 2];
+        p3 = p[t->roadadr[road] + t->roadn[road] + t->roadn[road] - 1];
+        t12 = (p3 - p[t->roadadr[road] + t->roadn[road] + t->roadn[road] - 2]) / h3;
+        slope3 = t12 + h3 / 6.0 * (spline0[t->roadspline[road] + t->roadn[road] - 2][0] + 2.0 *
+            spline0[t->roadspline[road] + t->roadn[road] - 1][0]);
+        s20 = p3 + slope3 * (x2 - p2);
+      } else {
+        p_roadk51 = p[t->roadadr[road] + k5 + 1];
+        p_roadk5 = p[t->roadadr[road] + k5];
+        h3_2 = p_roadk51 - p_roadk5;
+        a2 = p_roadk51 - x2;
+        c3 = x2 - p_roadk5;
+        p4 = p[t->roadadr[road] + t->roadn[road] + k5];
+        t13 = (p[t->roadadr[road] + t->roadn[road] + k5 + 1] - p4) / h3_2;
+        spline0_roadk510 = spline0[t->roadspline[road] + k5 + 1][0];
+        spline0_roadk50 = spline0[t->roadspline[road] + k5][0];
+        e = t13 - h3_2 / 6.0 * (spline0_roadk510 - spline0_roadk50);
+        t14 = 6.0 * h3_2;
+        t15 = (spline0_roadk50 * a2 * a2 * a2 + spline0_roadk510 * c3 * c3 * c3) / t14;
+        s20 = t15 + p4 - spline0_roadk50 * h3_2 * h3_2 / 6.0 + e * c3;
+      }
+      h00 = s20;
     }
-    t12 = 1.0 + h11 * h11;
-    s = sqrt(t12);
-    n30 = -h11 / s;
-    n31 = 0.0;
-    n32 = 1.0 / s;
-    c2 = u0 * n30 + u1 * n31 + u2 * n32;
-    un0 = u1 * n32 - u2 * n31;
-    un1 = u2 * n30 - u0 * n32;
-    un2 = u0 * n31 - u1 * n30;
-    t13 = un0 * un0 + un1 * un1 + un2 * un2;
-    w2 = sqrt(t13);
-    r2 = ((g0 - x) * n30 + (g2 - h10) * n32) / w2;
+    t16 = u0 * u0 + u1 * u1;
+    t17 = u2_2 * u0 / t16;
+    x = g0 + t17 * (g2 - h00);
+    if (t->roadkind[road] == MAGGI_ROAD_FLAT) {
+      p_road4 = p[t->roadadr[road]];
+      h10 = p_road4 * x;
+      h11 = p_road4;
+      h12 = 0.0;
+    } else if (t->roadkind[road] == MAGGI_ROAD_SINE) {
+      k7 = 6.28318530717958647693 / p[t->roadadr[road] + 1];
+      t18 = k7 * x;
+      t19 = sin(t18);
+      p_road5 = p[t->roadadr[road]];
+      h10 = p_road5 * t19;
+      t20 = k7 * x;
+      t21 = cos(t20);
+      h11 = k7 * p_road5 * t21;
+      h12 = 0.0;
+    } else if (t->roadkind[road] == MAGGI_ROAD_BUMPS) {
+      k6 = nearest_nodiff(t->np, p, t->roadadr[road], t->roadn[road], x);
+      x4 = x - p[t->roadadr[road] + MAGGI_BUMPS_FIRST] - k6 * p[t->roadadr[road] +
+          MAGGI_BUMPS_SPACING];
+      radius2 = p[t->roadadr[road]];
+      base2 = radius2 - p[t->roadadr[road] + MAGGI_BUMPS_HEIGHT];
+      t22 = radius2 * radius2 - base2 * base2;
+      c4 = sqrt(t22);
+      f2 = 0.5 * p[t->roadadr[road] + MAGGI_BUMPS_FILLET];
+      if (MAGGI_RE(x4) > 0.0) {
+        way2 = 1.0;
+      } else {
+        way2 = -1.0;
+      }
+      y2 = way2 * x4;
+      if (MAGGI_RE(y2) >= MAGGI_RE(c4 + f2)) {
+        b40 = 0.0;
+        b41 = 0.0;
+      } else if (MAGGI_RE(y2) > MAGGI_RE(c4 - f2)) {
+        t23 = radius2 * radius2 - (c4 - f2) * (c4 - f2);
+        z3 = sqrt(t23);
+        h0_3 = z3 - base2;
+        h1_3 = 2.0 * f2 * (c4 - f2) / z3;
+        a3 = 3.0 * h0_3 - h1_3;
+        t24 = z3 * z3 * z3;
+        t25 = 2.0 * f2 * f2 * radius2 * radius2 / t24;
+        b5 = 6.0 * h0_3 - 3.0 * h1_3 - t25;
+        t26 = 2.0 * f2;
+        u3 = (c4 + f2 - y2) / t26;
+        w4 = 1.0 - u3;
+        b40 = u3 * u3 * u3 * (h0_3 + w4 * (a3 + w4 * b5));
+        t27 = 2.0 * f2;
+        t28 = -way2 * u3 * u3 * (3.0 * (h0_3 + w4 * (a3 + w4 * b5)) - u3 * (a3 + 2.0 * w4 * b5)) /
+            t27;
+        b41 = t28;
+      } else {
+        t29 = radius2 * radius2 - y2 * y2;
+        z3_3 = sqrt(t29);
+        b40 = z3_3 - base2;
+        t30 = -x4 / z3_3;
+        b41 = t30;
+      }
+      h10 = b40;
+      h11 = 0.0;
+      h12 = b41;
+    } else {
+      k8 = maggi_piece(t->np, p, t->roadadr[road], t->roadn[road], x);
+      if (k8 < 0) {
+        p_road6 = p[t->roadadr[road]];
+        h2 = p[t->roadadr[road] + 1] - p_road6;
+        p_roadroad2 = p[t->roadadr[road] + t->roadn[road]];
+        t31 = (p[t->roadadr[road] + t->roadn[road] + 1] - p_roadroad2) / h2;
+        slope2 = t31 - h2 / 6.0 * (2.0 * spline0[t->roadspline[road]][0] +
+            spline0[t->roadspline[road] + 1][0]);
+        s30 = p_roadroad2 + slope2 * (x - p_road6);
+        s31 = slope2;
+      } else if (k8 > t->roadn[road] - 2) {
+        p5 = p[t->roadadr[road] + t->roadn[road] - 1];
+        h2_2 = p5 - p[t->roadadr[road] + t->roadn[road] - 2];
+        p6 = p[t->roadadr[road] + t->roadn[road] + t->roadn[road] - 1];
+        t32 = (p6 - p[t->roadadr[road] + t->roadn[road] + t->roadn[road] - 2]) / h2_2;
+        slope2_2 = t32 + h2_2 / 6.0 * (spline0[t->roadspline[road] + t->roadn[road] - 2][0] + 2.0 *
+            spline0[t->roadspline[road] + t->roadn[road] - 1][0]);
+        s30 = p6 + slope2_2 * (x - p5);
+        s31 = slope2_2;
+      } else {
+        p_roadk81 = p[t->roadadr[road] + k8 + 1];
+        p_roadk8 = p[t->roadadr[road] + k8];
+        h2_3 = p_roadk81 - p_roadk8;
+        a4 = p_roadk81 - x;
+        c5 = x - p_roadk8;
+        p7 = p[t->roadadr[road] + t->roadn[road] + k8];
+        t33 = (p[t->roadadr[road] + t->roadn[road] + k8 + 1] - p7) / h2_3;
+        spline0_roadk810 = spline0[t->roadspline[road] + k8 + 1][0];
+        spline0_roadk80 = spline0[t->roadspline[road] + k8][0];
+        e2 = t33 - h2_3 / 6.0 * (spline0_roadk810 - spline0_roadk80);
+        t34 = 6.0 * h2_3;
+        t35 = (spline0_roadk80 * a4 * a4 * a4 + spline0_roadk810 * c5 * c5 * c5) / t34;
+        s30 = t35 + p7 - spline0_roadk80 * h2_3 * h2_3 / 6.0 + e2 * c5;
+        t36 = 2.0 * h2_3;
+        t37 = (spline0_roadk810 * c5 * c5 - spline0_roadk80 * a4 * a4) / t36;
+        s31 = t37 + e2;
+      }
+      h10 = s30;
+      h11 = s31;
+      h12 = 0.0;
+    }
+    t38 = 1.0 + h11 * h11;
+    s = sqrt(t38);
+    normal0 = -h11 / s;
+    normal1 = 0.0;
+    normal2 = 1.0 / s;
+    c = u0 * normal0 + u1 * normal1 + u2_2 * normal2;
+    un0 = u1 * normal2 - u2_2 * normal1;
+    un1 = u2_2 * normal0 - u0 * normal2;
+    un2 = u0 * normal1 - u1 * normal0;
+    t39 = un0 * un0 + un1 * un1 + un2 * un2;
+    w2 = sqrt(t39);
+    r2 = ((g0 - x) * normal0 + (g2 - h10) * normal2) / w2;
     along0 = un0 / w2;
     along1 = un1 / w2;
     along2 = un2 / w2;
-    arm0 = r2 * (c2 * u0 - n30) / w2;
+    arm0 = r2 * (c * u0 - normal0) / w2;
     T0 = along0;
-    N0 = n30;
-    arm1 = r2 * (c2 * u1 - n31) / w2;
+    N0 = normal0;
+    arm1 = r2 * (c * u1 - normal1) / w2;
     T1 = along1;
-    N1 = n31;
-    arm2 = r2 * (c2 * u2 - n32) / w2;
+    N1 = normal1;
+    arm2 = r2 * (c * u2_2 - normal2) / w2;
     T2 = along2;
-    N2 = n32;
+    N2 = normal2;
     z0 = r2;
-    z2 = w2;
-    c0 = r[t->wheelpoint[i]][0] + arm0;
-    c1 = r[t->wheelpoint[i]][1] + arm1;
-    c2_2 = r[t->wheelpoint[i]][2] + arm2;
-    wr0 = Z[carrier][3];
-    wr1 = Z[carrier][4];
-    wr2 = Z[carrier][5];
-    w0 = wr1 * c2_2 - wr2 * c1;
-    w1 = wr2 * c0 - wr0 * c2_2;
-    w2_2 = wr0 * c1 - wr1 * c0;
-    v0 = Z[carrier][0] + w0;
-    v1 = Z[carrier][1] + w1;
-    v2 = Z[carrier][2] + w2_2;
-    rhov = -(v0 * N0 + v1 * N1 + v2 * N2) / z2;
-    p2 = p[adr + MAGGI_TYRE_VERTICAL_STIFFNESS];
-    p3 = p[adr + MAGGI_TYRE_UNLOADED_RADIUS];
-    fz = p2 * (p3 - z0) + p[adr + MAGGI_TYRE_VERTICAL_DAMPING] * rhov;
+    z2_2 = w2;
+    z3_2 = h12;
+    w0 = Z[carrier][3];
+    w1 = Z[carrier][4];
+    w2_2 = Z[carrier][5];
+    turn = w0 * u0 + w1 * u1 + w2_2 * u2_2;
+    wr0 = w0 - turn * u0;
+    wr1 = w1 - turn * u1;
+    wr2 = w2_2 - turn * u2_2;
+    r_i2 = r[t->wheelpoint[i]][2];
+    r_i1 = r[t->wheelpoint[i]][1];
+    vc0 = w1 * r_i2 - w2_2 * r_i1;
+    r_i0 = r[t->wheelpoint[i]][0];
+    vc1 = w2_2 * r_i0 - w0 * r_i2;
+    vc2 = w0 * r_i1 - w1 * r_i0;
+    vr0 = wr1 * arm2 - wr2 * arm1;
+    vr1 = wr2 * arm0 - wr0 * arm2;
+    vr2 = wr0 * arm1 - wr1 * arm0;
+    v0 = Z[carrier][0] + vc0 + vr0;
+    v1 = Z[carrier][1] + vc1 + vr1;
+    v2 = Z[carrier][2] + vc2 + vr2;
+    rhov = (z3_2 * v0 - (v0 * N0 + v1 * N1 + v2 * N2)) / z2_2;
+    fz = p[adr + MAGGI_TYRE_VERTICAL_STIFFNESS] * (p[adr + MAGGI_TYRE_UNLOADED_RADIUS] - z0) + p[adr
+        + MAGGI_TYRE_VERTICAL_DAMPING] * rhov;
     fz0 = p[adr + MAGGI_TYRE_LFZO] * p[adr];
-    ratio = fz / fz0;
-    t14 = fz0 / p2;
-    t15 = p[adr + MAGGI_TYRE_BREFF] * ratio;
-    t16 = atan(t15);
-    re = p3 - t14 * (p[adr + MAGGI_TYRE_DREFF] * t16 + p[adr + MAGGI_TYRE_FREFF] * ratio);
-    t17 = re * (b[body][3] * u0 + b[body][4] * u1 + b[body][5] * u2);
-    tb31 = spinb[i];
+    if (MAGGI_RE(fz) > 0.0) {
+      ratio = fz / fz0;
+      t40 = fz0 / p[adr + MAGGI_TYRE_VERTICAL_STIFFNESS];
+      t41 = p[adr + MAGGI_TYRE_BREFF] * ratio;
+      t42 = atan(t41);
+      re2 = p[adr + MAGGI_TYRE_UNLOADED_RADIUS] - t40 * (p[adr + MAGGI_TYRE_DREFF] * t42 + p[adr +
+          MAGGI_TYRE_FREFF] * ratio);
+    } else {
+      re2 = p[adr + MAGGI_TYRE_UNLOADED_RADIUS];
+    }
+    re = re2;
+    t43 = (v0 * T0 + v1 * T1 + v2 * T2) / re;
+    t44 = b[body][3] * u0 + b[body][4] * u1 + b[body][5] * u2_2;
+    tb96 = spinb[i];
     spinb[i] = 0.0;
-    tb32 = tb31 / t17;
-    v0b = tb32 * T0;
-    T0b = tb32 * v0;
-    v1b = tb32 * T1;
-    T1b = tb32 * v1;
-    v2b = tb32 * T2;
-    T2b = tb32 * v2;
-    t17b = -(tb32 * spin[i]);
-    reb = t17b * (b[body][3] * u0 + b[body][4] * u1 + b[body][5] * u2);
-    tb30 = t17b * re;
-    bb[body][3] += tb30 * u0;
-    u0b = tb30 * b[body][3];
-    bb[body][4] += tb30 * u1;
-    u1b = tb30 * b[body][4];
-    bb[body][5] += tb30 * u2;
-    u2b = tb30 * b[body][5];
-    p3b = reb;
-    t14b = -(reb * (p[adr + MAGGI_TYRE_DREFF] * t16 + p[adr + MAGGI_TYRE_FREFF] * ratio));
-    tb29 = reb * t14;
-    pb[adr + MAGGI_TYRE_DREFF] -= tb29 * t16;
-    t16b = -(tb29 * p[adr + MAGGI_TYRE_DREFF]);
-    pb[adr + MAGGI_TYRE_FREFF] -= tb29 * ratio;
-    ratiob = -(tb29 * p[adr + MAGGI_TYRE_FREFF]);
-    t15b = t16b * (1.0 / (1.0 + t15 * t15));
-    pb[adr + MAGGI_TYRE_BREFF] += t15b * ratio;
-    ratiob += t15b * p[adr + MAGGI_TYRE_BREFF];
-    tb28 = t14b / p2;
-    fz0b = tb28;
-    p2b = -(tb28 * t14);
-    tb27 = ratiob / fz0;
-    fzb = tb27;
-    fz0b -= tb27 * ratio;
+    tb97 = tb96 / t44;
+    t43b = tb97;
+    turnb = -tb97;
+    t44b = -(tb97 * spin[i]);
+    bb[body][3] += t44b * u0;
+    u0b = t44b * b[body][3];
+    bb[body][4] += t44b * u1;
+    u1b = t44b * b[body][4];
+    bb[body][5] += t44b * u2_2;
+    u2_2b = t44b * b[body][5];
+    tb95 = t43b / re;
+    v0b = tb95 * T0;
+    T0b = tb95 * v0;
+    v1b = tb95 * T1;
+    T1b = tb95 * v1;
+    v2b = tb95 * T2;
+    T2b = tb95 * v2;
+    reb = -(tb95 * t43);
+    re2b = reb;
+    fz0b = 0.0;
+    fzb = 0.0;
+    if (MAGGI_RE(fz) > 0.0) {
+      ratio = fz / fz0;
+      t40 = fz0 / p[adr + MAGGI_TYRE_VERTICAL_STIFFNESS];
+      t41 = p[adr + MAGGI_TYRE_BREFF] * ratio;
+      t42 = atan(t41);
+      pb[adr + MAGGI_TYRE_UNLOADED_RADIUS] += re2b;
+      t40b = -(re2b * (p[adr + MAGGI_TYRE_DREFF] * t42 + p[adr + MAGGI_TYRE_FREFF] * ratio));
+      tb94 = re2b * t40;
+      pb[adr + MAGGI_TYRE_DREFF] -= tb94 * t42;
+      t42b = -(tb94 * p[adr + MAGGI_TYRE_DREFF]);
+      pb[adr + MAGGI_TYRE_FREFF] -= tb94 * ratio;
+      ratiob = -(tb94 * p[adr + MAGGI_TYRE_FREFF]);
+      re2b = 0.0;
+      t41b = t42b * (1.0 / (1.0 + t41 * t41));
+      pb[adr + MAGGI_TYRE_BREFF] += t41b * ratio;
+      ratiob += t41b * p[adr + MAGGI_TYRE_BREFF];
+      tb93 = t40b / p[adr + MAGGI_TYRE_VERTICAL_STIFFNESS];
+      fz0b += tb93;
+      pb[adr + MAGGI_TYRE_VERTICAL_STIFFNESS] -= tb93 * t40;
+      tb92 = ratiob / fz0;
+      fzb += tb92;
+      fz0b -= tb92 * ratio;
+    } else {
+      pb[adr + MAGGI_TYRE_UNLOADED_RADIUS] += re2b;
+      re2b = 0.0;
+    }
+    /* Re = R0 - rho0 (D atan(B rd) + F rd),  rd = Fz / Fz0,  rho0 = Fz0 / Cz;  R0 in the air */
     pb[adr + MAGGI_TYRE_LFZO] += fz0b * p[adr];
     pb[adr] += fz0b * p[adr + MAGGI_TYRE_LFZO];
-    p2b += fzb * (p3 - z0);
-    tb26 = fzb * p2;
-    p3b += tb26;
-    z0b = -tb26;
+    pb[adr + MAGGI_TYRE_VERTICAL_STIFFNESS] += fzb * (p[adr + MAGGI_TYRE_UNLOADED_RADIUS] - z0);
+    tb91 = fzb * p[adr + MAGGI_TYRE_VERTICAL_STIFFNESS];
+    pb[adr + MAGGI_TYRE_UNLOADED_RADIUS] += tb91;
+    z0b = -tb91;
     pb[adr + MAGGI_TYRE_VERTICAL_DAMPING] += fzb * rhov;
     rhovb = fzb * p[adr + MAGGI_TYRE_VERTICAL_DAMPING];
-    pb[adr + MAGGI_TYRE_UNLOADED_RADIUS] += p3b;
-    pb[adr + MAGGI_TYRE_VERTICAL_STIFFNESS] += p2b;
-    tb25 = rhovb / z2;
-    v0b -= tb25 * N0;
-    N0b = -(tb25 * v0);
-    v1b -= tb25 * N1;
-    v2b -= tb25 * N2;
-    N2b = -(tb25 * v2);
-    z2b = -(tb25 * rhov);
+    tb90 = rhovb / z2_2;
+    z3_2b = tb90 * v0;
+    v0b += tb90 * z3_2;
+    v0b -= tb90 * N0;
+    N0b = -(tb90 * v0);
+    v1b -= tb90 * N1;
+    v2b -= tb90 * N2;
+    N2b = -(tb90 * v2);
+    z2_2b = -(tb90 * rhov);
     Zb[carrier][2] += v2b;
-    w2_2b = v2b;
+    vc2b = v2b;
+    vr2b = v2b;
     Zb[carrier][1] += v1b;
-    w1b = v1b;
+    vc1b = v1b;
+    vr1b = v1b;
     Zb[carrier][0] += v0b;
-    w0b = v0b;
-    wr0b = w2_2b * c1;
-    c1b = w2_2b * wr0;
-    wr1b = -(w2_2b * c0);
-    c0b = -(w2_2b * wr1);
-    wr2b = w1b * c0;
-    c0b += w1b * wr2;
-    wr0b -= w1b * c2_2;
-    c2_2b = -(w1b * wr0);
-    wr1b += w0b * c2_2;
-    c2_2b += w0b * wr1;
-    wr2b -= w0b * c1;
-    c1b -= w0b * wr2;
-    Zb[carrier][5] += wr2b;
-    Zb[carrier][4] += wr1b;
-    Zb[carrier][3] += wr0b;
-    rb[t->wheelpoint[i]][2] += c2_2b;
-    arm2b = c2_2b;
-    rb[t->wheelpoint[i]][1] += c1b;
-    arm1b = c1b;
-    rb[t->wheelpoint[i]][0] += c0b;
-    arm0b = c0b;
-    w2b = z2b;
+    vc0b = v0b;
+    vr0b = v0b;
+    wr0b = vr2b * arm1;
+    arm1b = vr2b * wr0;
+    wr1b = -(vr2b * arm0);
+    arm0b = -(vr2b * wr1);
+    wr2b = vr1b * arm0;
+    arm0b += vr1b * wr2;
+    wr0b -= vr1b * arm2;
+    arm2b = -(vr1b * wr0);
+    wr1b += vr0b * arm2;
+    arm2b += vr0b * wr1;
+    wr2b -= vr0b * arm1;
+    arm1b -= vr0b * wr2;
+    w0b = vc2b * r_i1;
+    r_i1b = vc2b * w0;
+    w1b = -(vc2b * r_i0);
+    r_i0b = -(vc2b * w1);
+    w2_2b = vc1b * r_i0;
+    r_i0b += vc1b * w2_2;
+    w0b -= vc1b * r_i2;
+    r_i2b = -(vc1b * w0);
+    rb[t->wheelpoint[i]][0] += r_i0b;
+    w1b += vc0b * r_i2;
+    r_i2b += vc0b * w1;
+    w2_2b -= vc0b * r_i1;
+    r_i1b -= vc0b * w2_2;
+    rb[t->wheelpoint[i]][1] += r_i1b;
+    rb[t->wheelpoint[i]][2] += r_i2b;
+    w2_2b += wr2b;
+    turnb -= wr2b * u2_2;
+    u2_2b -= wr2b * turn;
+    w1b += wr1b;
+    turnb -= wr1b * u1;
+    u1b -= wr1b * turn;
+    w0b += wr0b;
+    turnb -= wr0b * u0;
+    u0b -= wr0b * turn;
+    w0b += turnb * u0;
+    u0b += turnb * w0;
+    w1b += turnb * u1;
+    u1b += turnb * w1;
+    w2_2b += turnb * u2_2;
+    u2_2b += turnb * w2_2;
+    Zb[carrier][5] += w2_2b;
+    Zb[carrier][4] += w1b;
+    Zb[carrier][3] += w0b;
+    h12b = z3_2b;
+    w2b = z2_2b;
     r2b = z0b;
-    n32b = N2b;
+    normal2b = N2b;
     along2b = T2b;
-    tb23 = arm2b / w2;
-    r2b += tb23 * (c2 * u2 - n32);
-    tb24 = tb23 * r2;
-    c2b = tb24 * u2;
-    u2b += tb24 * c2;
-    n32b -= tb24;
-    w2b -= tb23 * arm2;
+    tb88 = arm2b / w2;
+    r2b += tb88 * (c * u2_2 - normal2);
+    tb89 = tb88 * r2;
+    cb = tb89 * u2_2;
+    u2_2b += tb89 * c;
+    normal2b -= tb89;
+    w2b -= tb88 * arm2;
     along1b = T1b;
-    tb21 = arm1b / w2;
-    r2b += tb21 * (c2 * u1 - n31);
-    tb22 = tb21 * r2;
-    c2b += tb22 * u1;
-    u1b += tb22 * c2;
-    w2b -= tb21 * arm1;
-    n30b = N0b;
+    tb86 = arm1b / w2;
+    r2b += tb86 * (c * u1 - normal1);
+    tb87 = tb86 * r2;
+    cb += tb87 * u1;
+    u1b += tb87 * c;
+    w2b -= tb86 * arm1;
+    normal0b = N0b;
     along0b = T0b;
-    tb19 = arm0b / w2;
-    r2b += tb19 * (c2 * u0 - n30);
-    tb20 = tb19 * r2;
-    c2b += tb20 * u0;
-    u0b += tb20 * c2;
-    n30b -= tb20;
-    w2b -= tb19 * arm0;
-    tb18 = along2b / w2;
-    un2b = tb18;
-    w2b -= tb18 * along2;
-    tb17 = along1b / w2;
-    un1b = tb17;
-    w2b -= tb17 * along1;
-    tb16 = along0b / w2;
-    un0b = tb16;
-    w2b -= tb16 * along0;
-    tb13 = r2b / w2;
-    tb14 = tb13 * n30;
-    g0b = tb14;
-    xb = -tb14;
-    n30b += tb13 * (g0 - x);
-    tb15 = tb13 * n32;
-    g2b = tb15;
-    h10b = -tb15;
-    n32b += tb13 * (g2 - h10);
-    w2b -= tb13 * r2;
-    t13b = w2b * (1.0 / (2.0 * w2));
-    un0b += t13b * un0;
-    un0b += t13b * un0;
-    un1b += t13b * un1;
-    un1b += t13b * un1;
-    un2b += t13b * un2;
-    un2b += t13b * un2;
-    u0b += un2b * n31;
-    u1b -= un2b * n30;
-    n30b -= un2b * u1;
-    u2b += un1b * n30;
-    n30b += un1b * u2;
-    u0b -= un1b * n32;
-    n32b -= un1b * u0;
-    u1b += un0b * n32;
-    n32b += un0b * u1;
-    u2b -= un0b * n31;
-    u0b += c2b * n30;
-    n30b += c2b * u0;
-    u1b += c2b * n31;
-    u2b += c2b * n32;
-    n32b += c2b * u2;
-    tb12 = n32b / s;
-    sb = -(tb12 * n32);
-    tb11 = n30b / s;
-    h11b = -tb11;
-    sb -= tb11 * n30;
-    t12b = sb * (1.0 / (2.0 * s));
-    h11b += t12b * h11;
-    h11b += t12b * h11;
-    /* height of the road above its point at x ahead of it, and its slope */
+    tb84 = arm0b / w2;
+    r2b += tb84 * (c * u0 - normal0);
+    tb85 = tb84 * r2;
+    cb += tb85 * u0;
+    u0b += tb85 * c;
+    normal0b -= tb85;
+    w2b -= tb84 * arm0;
+    tb83 = along2b / w2;
+    un2b = tb83;
+    w2b -= tb83 * along2;
+    tb82 = along1b / w2;
+    un1b = tb82;
+    w2b -= tb82 * along1;
+    tb81 = along0b / w2;
+    un0b = tb81;
+    w2b -= tb81 * along0;
+    tb78 = r2b / w2;
+    tb79 = tb78 * normal0;
+    g0b = tb79;
+    xb = -tb79;
+    normal0b += tb78 * (g0 - x);
+    tb80 = tb78 * normal2;
+    g2b = tb80;
+    h10b = -tb80;
+    normal2b += tb78 * (g2 - h10);
+    w2b -= tb78 * r2;
+    t39b = w2b * (1.0 / (2.0 * w2));
+    un0b += t39b * un0;
+    un0b += t39b * un0;
+    un1b += t39b * un1;
+    un1b += t39b * un1;
+    un2b += t39b * un2;
+    un2b += t39b * un2;
+    u0b += un2b * normal1;
+    u1b -= un2b * normal0;
+    normal0b -= un2b * u1;
+    u2_2b += un1b * normal0;
+    normal0b += un1b * u2_2;
+    u0b -= un1b * normal2;
+    normal2b -= un1b * u0;
+    u1b += un0b * normal2;
+    normal2b += un0b * u1;
+    u2_2b -= un0b * normal1;
+    u0b += cb * normal0;
+    normal0b += cb * u0;
+    u1b += cb * normal1;
+    u2_2b += cb * normal2;
+    normal2b += cb * u2_2;
+    tb77 = normal2b / s;
+    sb = -(tb77 * normal2);
+    tb76 = normal0b / s;
+    h11b = -tb76;
+    sb -= tb76 * normal0;
+    t38b = sb * (1.0 / (2.0 * s));
+    h11b += t38b * h11;
+    h11b += t38b * h11;
     if (t->roadkind[road] == MAGGI_ROAD_FLAT) {
-      p_road3 = p[t->roadadr[road]];
-      p_road3b = h11b;
-      h11b = 0.0;
-      p_road3b += h10b * x;
-      xb += h10b * p_road3;
-      h10b = 0.0;
-      pb[t->roadadr[road]] += p_road3b;
-    } else {
-      p_road1_2 = p[t->roadadr[road] + 1];
-      t7 = 6.28318530717958647693 * x / p_road1_2;
-      t8 = sin(t7);
       p_road4 = p[t->roadadr[road]];
-      t9 = p_road4 * 6.28318530717958647693 / p_road1_2;
-      t10 = 6.28318530717958647693 * x / p_road1_2;
-      t11 = cos(t10);
-      t9b = h11b * t11;
-      t11b = h11b * t9;
+      h12b = 0.0;
+      p_road4b = h11b;
       h11b = 0.0;
-      t10b = -(t11b * sin(t10));
-      tb10 = t10b / p_road1_2;
-      xb += tb10 * 6.28318530717958647693;
-      p_road1_2b = -(tb10 * t10);
-      tb9 = t9b / p_road1_2;
-      p_road4b = tb9 * 6.28318530717958647693;
-      p_road1_2b -= tb9 * t9;
-      p_road4b += h10b * t8;
-      t8b = h10b * p_road4;
+      p_road4b += h10b * x;
+      xb += h10b * p_road4;
       h10b = 0.0;
       pb[t->roadadr[road]] += p_road4b;
-      t7b = t8b * cos(t7);
-      tb8 = t7b / p_road1_2;
-      xb += tb8 * 6.28318530717958647693;
-      p_road1_2b -= tb8 * t7;
-      pb[t->roadadr[road] + 1] += p_road1_2b;
+    } else if (t->roadkind[road] == MAGGI_ROAD_SINE) {
+      k7 = 6.28318530717958647693 / p[t->roadadr[road] + 1];
+      t18 = k7 * x;
+      t19 = sin(t18);
+      p_road5 = p[t->roadadr[road]];
+      t20 = k7 * x;
+      t21 = cos(t20);
+      h12b = 0.0;
+      tb37 = h11b * t21;
+      k7b = tb37 * p_road5;
+      p_road5b = tb37 * k7;
+      t21b = h11b * (k7 * p_road5);
+      h11b = 0.0;
+      t20b = -(t21b * sin(t20));
+      k7b += t20b * x;
+      xb += t20b * k7;
+      p_road5b += h10b * t19;
+      t19b = h10b * p_road5;
+      h10b = 0.0;
+      pb[t->roadadr[road]] += p_road5b;
+      t18b = t19b * cos(t18);
+      k7b += t18b * x;
+      xb += t18b * k7;
+      tb36 = k7b / p[t->roadadr[road] + 1];
+      pb[t->roadadr[road] + 1] -= tb36 * k7;
+    } else if (t->roadkind[road] == MAGGI_ROAD_BUMPS) {
+      k6 = nearest_nodiff(t->np, p, t->roadadr[road], t->roadn[road], x);
+      x4 = x - p[t->roadadr[road] + MAGGI_BUMPS_FIRST] - k6 * p[t->roadadr[road] +
+          MAGGI_BUMPS_SPACING];
+      radius2 = p[t->roadadr[road]];
+      base2 = radius2 - p[t->roadadr[road] + MAGGI_BUMPS_HEIGHT];
+      t22 = radius2 * radius2 - base2 * base2;
+      c4 = sqrt(t22);
+      f2 = 0.5 * p[t->roadadr[road] + MAGGI_BUMPS_FILLET];
+      if (MAGGI_RE(x4) > 0.0) {
+        way2 = 1.0;
+      } else {
+        way2 = -1.0;
+      }
+      y2 = way2 * x4;
+      b41b = h12b;
+      h12b = 0.0;
+      h11b = 0.0;
+      b40b = h10b;
+      h10b = 0.0;
+      base2b = 0.0;
+      c4b = 0.0;
+      f2b = 0.0;
+      radius2b = 0.0;
+      x4b = 0.0;
+      y2b = 0.0;
+      if (MAGGI_RE(y2) >= MAGGI_RE(c4 + f2)) {
+        b41b = 0.0;
+        b40b = 0.0;
+      } else if (MAGGI_RE(y2) > MAGGI_RE(c4 - f2)) {
+        t23 = radius2 * radius2 - (c4 - f2) * (c4 - f2);
+        z3 = sqrt(t23);
+        h0_3 = z3 - base2;
+        h1_3 = 2.0 * f2 * (c4 - f2) / z3;
+        a3 = 3.0 * h0_3 - h1_3;
+        t24 = z3 * z3 * z3;
+        t25 = 2.0 * f2 * f2 * radius2 * radius2 / t24;
+        b5 = 6.0 * h0_3 - 3.0 * h1_3 - t25;
+        t26 = 2.0 * f2;
+        u3 = (c4 + f2 - y2) / t26;
+        w4 = 1.0 - u3;
+        t27 = 2.0 * f2;
+        t28 = -way2 * u3 * u3 * (3.0 * (h0_3 + w4 * (a3 + w4 * b5)) - u3 * (a3 + 2.0 * w4 * b5)) /
+            t27;
+        t28b = b41b;
+        b41b = 0.0;
+        tb51 = t28b / t27;
+        tb52 = tb51 * (3.0 * (h0_3 + w4 * (a3 + w4 * b5)) - u3 * (a3 + 2.0 * w4 * b5));
+        u3b = -(tb52 * u3 * way2);
+        u3b += tb52 * (-way2 * u3);
+        tb53 = tb51 * (-way2 * u3 * u3);
+        tb54 = tb53 * 3.0;
+        h0_3b = tb54;
+        w4b = tb54 * (a3 + w4 * b5);
+        tb55 = tb54 * w4;
+        a3b = tb55;
+        w4b += tb55 * b5;
+        b5b = tb55 * w4;
+        u3b -= tb53 * (a3 + 2.0 * w4 * b5);
+        tb56 = tb53 * u3;
+        a3b -= tb56;
+        w4b -= tb56 * b5 * 2.0;
+        b5b -= tb56 * (2.0 * w4);
+        t27b = -(tb51 * t28);
+        f2b += t27b * 2.0;
+        tb47 = b40b * (h0_3 + w4 * (a3 + w4 * b5));
+        tb48 = tb47 * u3;
+        u3b += tb48 * u3;
+        u3b += tb48 * u3;
+        u3b += tb47 * (u3 * u3);
+        tb49 = b40b * (u3 * u3 * u3);
+        h0_3b += tb49;
+        w4b += tb49 * (a3 + w4 * b5);
+        tb50 = tb49 * w4;
+        a3b += tb50;
+        w4b += tb50 * b5;
+        b5b += tb50 * w4;
+        b40b = 0.0;
+        u3b -= w4b;
+        tb46 = u3b / t26;
+        c4b += tb46;
+        f2b += tb46;
+        y2b -= tb46;
+        t26b = -(tb46 * u3);
+        f2b += t26b * 2.0;
+        h0_3b += b5b * 6.0;
+        h1_3b = -(b5b * 3.0);
+        t25b = -b5b;
+        tb43 = t25b / t24;
+        tb44 = tb43 * radius2;
+        tb45 = tb44 * radius2;
+        f2b += tb45 * f2 * 2.0;
+        f2b += tb45 * (2.0 * f2);
+        radius2b += tb44 * (2.0 * f2 * f2);
+        radius2b += tb43 * (2.0 * f2 * f2 * radius2);
+        t24b = -(tb43 * t25);
+        tb42 = t24b * z3;
+        z3b = tb42 * z3;
+        z3b += tb42 * z3;
+        z3b += t24b * (z3 * z3);
+        h0_3b += a3b * 3.0;
+        h1_3b -= a3b;
+        tb40 = h1_3b / z3;
+        f2b += tb40 * (c4 - f2) * 2.0;
+        tb41 = tb40 * (2.0 * f2);
+        c4b += tb41;
+        f2b -= tb41;
+        z3b -= tb40 * h1_3;
+        z3b += h0_3b;
+        base2b -= h0_3b;
+        t23b = z3b * (1.0 / (2.0 * z3));
+        radius2b += t23b * radius2;
+        radius2b += t23b * radius2;
+        tb38 = t23b * (c4 - f2);
+        c4b -= tb38;
+        f2b += tb38;
+        tb39 = t23b * (c4 - f2);
+        c4b -= tb39;
+        f2b += tb39;
+      } else {
+        t29 = radius2 * radius2 - y2 * y2;
+        z3_3 = sqrt(t29);
+        t30 = -x4 / z3_3;
+        t30b = b41b;
+        b41b = 0.0;
+        tb57 = t30b / z3_3;
+        x4b -= tb57;
+        z3_3b = -(tb57 * t30);
+        z3_3b += b40b;
+        base2b -= b40b;
+        b40b = 0.0;
+        t29b = z3_3b * (1.0 / (2.0 * z3_3));
+        radius2b += t29b * radius2;
+        radius2b += t29b * radius2;
+        y2b -= t29b * y2;
+        y2b -= t29b * y2;
+      }
+      x4b += y2b * way2;
+      pb[t->roadadr[road] + MAGGI_BUMPS_FILLET] += f2b * 0.5;
+      t22b = c4b * (1.0 / (2.0 * c4));
+      radius2b += t22b * radius2;
+      radius2b += t22b * radius2;
+      base2b -= t22b * base2;
+      base2b -= t22b * base2;
+      radius2b += base2b;
+      pb[t->roadadr[road] + MAGGI_BUMPS_HEIGHT] -= base2b;
+      /* A cylinder across the road, at x from its axis:  h = sqrt(R^2 - x^2) - (R - height), up to where it
+       * meets the road, |x| = c.  From c - f to c + f a fillet with two continuous derivatives,
+       *   h = u^3 (h0 + a (1 - u) + b (1 - u)^2),  u = (c + f - |x|) / (2 f),  h0, a, b: h, h', h'' at u = 1 */
+      pb[t->roadadr[road]] += radius2b;
+      xb += x4b;
+      pb[t->roadadr[road] + MAGGI_BUMPS_FIRST] -= x4b;
+      pb[t->roadadr[road] + MAGGI_BUMPS_SPACING] -= x4b * k6;
+    } else {
+      k8 = maggi_piece(t->np, p, t->roadadr[road], t->roadn[road], x);
+      h12b = 0.0;
+      s31b = h11b;
+      h11b = 0.0;
+      s30b = h10b;
+      h10b = 0.0;
+      if (k8 < 0) {
+        p_road6 = p[t->roadadr[road]];
+        h2 = p[t->roadadr[road] + 1] - p_road6;
+        p_roadroad2 = p[t->roadadr[road] + t->roadn[road]];
+        t31 = (p[t->roadadr[road] + t->roadn[road] + 1] - p_roadroad2) / h2;
+        slope2 = t31 - h2 / 6.0 * (2.0 * spline0[t->roadspline[road]][0] +
+            spline0[t->roadspline[road] + 1][0]);
+        slope2b = s31b;
+        s31b = 0.0;
+        p_roadroad2b = s30b;
+        slope2b += s30b * (x - p_road6);
+        tb60 = s30b * slope2;
+        xb += tb60;
+        p_road6b = -tb60;
+        s30b = 0.0;
+        t31b = slope2b;
+        h2b = -(slope2b * (2.0 * spline0[t->roadspline[road]][0] + spline0[t->roadspline[road] +
+            1][0]) / 6.0);
+        tb59 = slope2b * (h2 / 6.0);
+        spline0b[t->roadspline[road]][0] -= tb59 * 2.0;
+        spline0b[t->roadspline[road] + 1][0] -= tb59;
+        tb58 = t31b / h2;
+        pb[t->roadadr[road] + t->roadn[road] + 1] += tb58;
+        p_roadroad2b -= tb58;
+        h2b -= tb58 * t31;
+        pb[t->roadadr[road] + t->roadn[road]] += p_roadroad2b;
+        pb[t->roadadr[road] + 1] += h2b;
+        p_road6b -= h2b;
+        pb[t->roadadr[road]] += p_road6b;
+      } else if (k8 > t->roadn[road] - 2) {
+        p5 = p[t->roadadr[road] + t->roadn[road] - 1];
+        h2_2 = p5 - p[t->roadadr[road] + t->roadn[road] - 2];
+        p6 = p[t->roadadr[road] + t->roadn[road] + t->roadn[road] - 1];
+        t32 = (p6 - p[t->roadadr[road] + t->roadn[road] + t->roadn[road] - 2]) / h2_2;
+        slope2_2 = t32 + h2_2 / 6.0 * (spline0[t->roadspline[road] + t->roadn[road] - 2][0] + 2.0 *
+            spline0[t->roadspline[road] + t->roadn[road] - 1][0]);
+        slope2_2b = s31b;
+        s31b = 0.0;
+        p6b = s30b;
+        slope2_2b += s30b * (x - p5);
+        tb63 = s30b * slope2_2;
+        xb += tb63;
+        p5b = -tb63;
+        s30b = 0.0;
+        t32b = slope2_2b;
+        h2_2b = slope2_2b * (spline0[t->roadspline[road] + t->roadn[road] - 2][0] + 2.0 *
+            spline0[t->roadspline[road] + t->roadn[road] - 1][0]) / 6.0;
+        tb62 = slope2_2b * (h2_2 / 6.0);
+        spline0b[t->roadspline[road] + t->roadn[road] - 2][0] += tb62;
+        spline0b[t->roadspline[road] + t->roadn[road] - 1][0] += tb62 * 2.0;
+        tb61 = t32b / h2_2;
+        p6b += tb61;
+        pb[t->roadadr[road] + t->roadn[road] + t->roadn[road] - 2] -= tb61;
+        h2_2b -= tb61 * t32;
+        pb[t->roadadr[road] + t->roadn[road] + t->roadn[road] - 1] += p6b;
+        p5b += h2_2b;
+        pb[t->roadadr[road] + t->roadn[road] - 2] -= h2_2b;
+        pb[t->roadadr[road] + t->roadn[road] - 1] += p5b;
+      } else {
+        p_roadk81 = p[t->roadadr[road] + k8 + 1];
+        p_roadk8 = p[t->roadadr[road] + k8];
+        h2_3 = p_roadk81 - p_roadk8;
+        a4 = p_roadk81 - x;
+        c5 = x - p_roadk8;
+        p7 = p[t->roadadr[road] + t->roadn[road] + k8];
+        t33 = (p[t->roadadr[road] + t->roadn[road] + k8 + 1] - p7) / h2_3;
+        spline0_roadk810 = spline0[t->roadspline[road] + k8 + 1][0];
+        spline0_roadk80 = spline0[t->roadspline[road] + k8][0];
+        e2 = t33 - h2_3 / 6.0 * (spline0_roadk810 - spline0_roadk80);
+        t34 = 6.0 * h2_3;
+        t35 = (spline0_roadk80 * a4 * a4 * a4 + spline0_roadk810 * c5 * c5 * c5) / t34;
+        t36 = 2.0 * h2_3;
+        t37 = (spline0_roadk810 * c5 * c5 - spline0_roadk80 * a4 * a4) / t36;
+        t37b = s31b;
+        e2b = s31b;
+        s31b = 0.0;
+        tb73 = t37b / t36;
+        tb74 = tb73 * c5;
+        spline0_roadk810b = tb74 * c5;
+        c5b = tb74 * spline0_roadk810;
+        c5b += tb73 * (spline0_roadk810 * c5);
+        tb75 = tb73 * a4;
+        spline0_roadk80b = -(tb75 * a4);
+        a4b = -(tb75 * spline0_roadk80);
+        a4b -= tb73 * (spline0_roadk80 * a4);
+        t36b = -(tb73 * t37);
+        h2_3b = t36b * 2.0;
+        t35b = s30b;
+        p7b = s30b;
+        tb71 = s30b / 6.0;
+        tb72 = tb71 * h2_3;
+        spline0_roadk80b -= tb72 * h2_3;
+        h2_3b -= tb72 * spline0_roadk80;
+        h2_3b -= tb71 * (spline0_roadk80 * h2_3);
+        e2b += s30b * c5;
+        c5b += s30b * e2;
+        s30b = 0.0;
+        tb66 = t35b / t34;
+        tb67 = tb66 * a4;
+        tb68 = tb67 * a4;
+        spline0_roadk80b += tb68 * a4;
+        a4b += tb68 * spline0_roadk80;
+        a4b += tb67 * (spline0_roadk80 * a4);
+        a4b += tb66 * (spline0_roadk80 * a4 * a4);
+        tb69 = tb66 * c5;
+        tb70 = tb69 * c5;
+        spline0_roadk810b += tb70 * c5;
+        c5b += tb70 * spline0_roadk810;
+        c5b += tb69 * (spline0_roadk810 * c5);
+        c5b += tb66 * (spline0_roadk810 * c5 * c5);
+        t34b = -(tb66 * t35);
+        h2_3b += t34b * 6.0;
+        t33b = e2b;
+        h2_3b -= e2b * (spline0_roadk810 - spline0_roadk80) / 6.0;
+        tb65 = e2b * (h2_3 / 6.0);
+        spline0_roadk810b -= tb65;
+        spline0_roadk80b += tb65;
+        spline0b[t->roadspline[road] + k8][0] += spline0_roadk80b;
+        spline0b[t->roadspline[road] + k8 + 1][0] += spline0_roadk810b;
+        tb64 = t33b / h2_3;
+        pb[t->roadadr[road] + t->roadn[road] + k8 + 1] += tb64;
+        p7b -= tb64;
+        h2_3b -= tb64 * t33;
+        pb[t->roadadr[road] + t->roadn[road] + k8] += p7b;
+        xb += c5b;
+        p_roadk8b = -c5b;
+        p_roadk81b = a4b;
+        xb -= a4b;
+        p_roadk81b += h2_3b;
+        p_roadk8b -= h2_3b;
+        pb[t->roadadr[road] + k8] += p_roadk8b;
+        pb[t->roadadr[road] + k8 + 1] += p_roadk81b;
+      }
     }
     g0b += xb;
-    t6b = xb * (g2 - h00);
-    tb7 = xb * t6;
-    g2b += tb7;
-    h00b = -tb7;
-    tb6 = t6b / t5;
-    u2b += tb6 * u0;
-    u0b += tb6 * u2;
-    t5b = -(tb6 * t6);
-    u0b += t5b * u0;
-    u0b += t5b * u0;
-    u1b += t5b * u1;
-    u1b += t5b * u1;
+    t17b = xb * (g2 - h00);
+    tb35 = xb * t17;
+    g2b += tb35;
+    h00b = -tb35;
+    tb34 = t17b / t16;
+    u2_2b += tb34 * u0;
+    u0b += tb34 * u2_2;
+    t16b = -(tb34 * t17);
+    u0b += t16b * u0;
+    u0b += t16b * u0;
+    u1b += t16b * u1;
+    u1b += t16b * u1;
     x2b = 0.0;
-    /* height of the road above its point at x ahead of it, and its slope */
     if (t->roadkind[road] == MAGGI_ROAD_FLAT) {
       p_road = p[t->roadadr[road]];
       p_roadb = h00b * x2;
       x2b += h00b * p_road;
       h00b = 0.0;
       pb[t->roadadr[road]] += p_roadb;
-    } else {
-      p_road1 = p[t->roadadr[road] + 1];
-      t3 = 6.28318530717958647693 * x2 / p_road1;
+    } else if (t->roadkind[road] == MAGGI_ROAD_SINE) {
+      k4 = 6.28318530717958647693 / p[t->roadadr[road] + 1];
+      t3 = k4 * x2;
       t4 = sin(t3);
       p_road2 = p[t->roadadr[road]];
       p_road2b = h00b * t4;
@@ -1378,23 +3288,258 @@ void maggi_rolling_b(const maggi_topo *t, const double p[restrict t->np], double
       h00b = 0.0;
       pb[t->roadadr[road]] += p_road2b;
       t3b = t4b * cos(t3);
-      tb5 = t3b / p_road1;
-      x2b += tb5 * 6.28318530717958647693;
-      p_road1b = -(tb5 * t3);
-      pb[t->roadadr[road] + 1] += p_road1b;
+      k4b = t3b * x2;
+      x2b += t3b * k4;
+      tb5 = k4b / p[t->roadadr[road] + 1];
+      pb[t->roadadr[road] + 1] -= tb5 * k4;
+    } else if (t->roadkind[road] == MAGGI_ROAD_BUMPS) {
+      k3 = nearest_nodiff(t->np, p, t->roadadr[road], t->roadn[road], x2);
+      x3 = x2 - p[t->roadadr[road] + MAGGI_BUMPS_FIRST] - k3 * p[t->roadadr[road] +
+          MAGGI_BUMPS_SPACING];
+      radius = p[t->roadadr[road]];
+      base = radius - p[t->roadadr[road] + MAGGI_BUMPS_HEIGHT];
+      t5 = radius * radius - base * base;
+      c2 = sqrt(t5);
+      f = 0.5 * p[t->roadadr[road] + MAGGI_BUMPS_FILLET];
+      if (MAGGI_RE(x3) > 0.0) {
+        way = 1.0;
+      } else {
+        way = -1.0;
+      }
+      y = way * x3;
+      b20b = h00b;
+      h00b = 0.0;
+      baseb = 0.0;
+      c2b = 0.0;
+      fb = 0.0;
+      radiusb = 0.0;
+      yb = 0.0;
+      if (MAGGI_RE(y) >= MAGGI_RE(c2 + f)) {
+        b20b = 0.0;
+      } else if (MAGGI_RE(y) > MAGGI_RE(c2 - f)) {
+        t6 = radius * radius - (c2 - f) * (c2 - f);
+        z2 = sqrt(t6);
+        h0_2 = z2 - base;
+        h1_2 = 2.0 * f * (c2 - f) / z2;
+        a = 3.0 * h0_2 - h1_2;
+        t7 = z2 * z2 * z2;
+        t8 = 2.0 * f * f * radius * radius / t7;
+        b3 = 6.0 * h0_2 - 3.0 * h1_2 - t8;
+        t9 = 2.0 * f;
+        u2 = (c2 + f - y) / t9;
+        w3 = 1.0 - u2;
+        tb15 = b20b * (h0_2 + w3 * (a + w3 * b3));
+        tb16 = tb15 * u2;
+        u2b = tb16 * u2;
+        u2b += tb16 * u2;
+        u2b += tb15 * (u2 * u2);
+        tb17 = b20b * (u2 * u2 * u2);
+        h0_2b = tb17;
+        w3b = tb17 * (a + w3 * b3);
+        tb18 = tb17 * w3;
+        ab = tb18;
+        w3b += tb18 * b3;
+        b3b = tb18 * w3;
+        b20b = 0.0;
+        u2b -= w3b;
+        tb14 = u2b / t9;
+        c2b += tb14;
+        fb += tb14;
+        yb -= tb14;
+        t9b = -(tb14 * u2);
+        fb += t9b * 2.0;
+        h0_2b += b3b * 6.0;
+        h1_2b = -(b3b * 3.0);
+        t8b = -b3b;
+        tb11 = t8b / t7;
+        tb12 = tb11 * radius;
+        tb13 = tb12 * radius;
+        fb += tb13 * f * 2.0;
+        fb += tb13 * (2.0 * f);
+        radiusb += tb12 * (2.0 * f * f);
+        radiusb += tb11 * (2.0 * f * f * radius);
+        t7b = -(tb11 * t8);
+        tb10 = t7b * z2;
+        z2b = tb10 * z2;
+        z2b += tb10 * z2;
+        z2b += t7b * (z2 * z2);
+        h0_2b += ab * 3.0;
+        h1_2b -= ab;
+        tb8 = h1_2b / z2;
+        fb += tb8 * (c2 - f) * 2.0;
+        tb9 = tb8 * (2.0 * f);
+        c2b += tb9;
+        fb -= tb9;
+        z2b -= tb8 * h1_2;
+        z2b += h0_2b;
+        baseb -= h0_2b;
+        t6b = z2b * (1.0 / (2.0 * z2));
+        radiusb += t6b * radius;
+        radiusb += t6b * radius;
+        tb6 = t6b * (c2 - f);
+        c2b -= tb6;
+        fb += tb6;
+        tb7 = t6b * (c2 - f);
+        c2b -= tb7;
+        fb += tb7;
+      } else {
+        t10 = radius * radius - y * y;
+        z2_3 = sqrt(t10);
+        z2_3b = b20b;
+        baseb -= b20b;
+        b20b = 0.0;
+        t10b = z2_3b * (1.0 / (2.0 * z2_3));
+        radiusb += t10b * radius;
+        radiusb += t10b * radius;
+        yb -= t10b * y;
+        yb -= t10b * y;
+      }
+      x3b = yb * way;
+      pb[t->roadadr[road] + MAGGI_BUMPS_FILLET] += fb * 0.5;
+      t5b = c2b * (1.0 / (2.0 * c2));
+      radiusb += t5b * radius;
+      radiusb += t5b * radius;
+      baseb -= t5b * base;
+      baseb -= t5b * base;
+      radiusb += baseb;
+      pb[t->roadadr[road] + MAGGI_BUMPS_HEIGHT] -= baseb;
+      /* A cylinder across the road, at x from its axis:  h = sqrt(R^2 - x^2) - (R - height), up to where it
+       * meets the road, |x| = c.  From c - f to c + f a fillet with two continuous derivatives,
+       *   h = u^3 (h0 + a (1 - u) + b (1 - u)^2),  u = (c + f - |x|) / (2 f),  h0, a, b: h, h', h'' at u = 1 */
+      pb[t->roadadr[road]] += radiusb;
+      x2b += x3b;
+      pb[t->roadadr[road] + MAGGI_BUMPS_FIRST] -= x3b;
+      pb[t->roadadr[road] + MAGGI_BUMPS_SPACING] -= x3b * k3;
+    } else {
+      k5 = maggi_piece(t->np, p, t->roadadr[road], t->roadn[road], x2);
+      s20b = h00b;
+      h00b = 0.0;
+      if (k5 < 0) {
+        p_road3 = p[t->roadadr[road]];
+        h = p[t->roadadr[road] + 1] - p_road3;
+        p_roadroad = p[t->roadadr[road] + t->roadn[road]];
+        t11 = (p[t->roadadr[road] + t->roadn[road] + 1] - p_roadroad) / h;
+        slope = t11 - h / 6.0 * (2.0 * spline0[t->roadspline[road]][0] + spline0[t->roadspline[road]
+            + 1][0]);
+        p_roadroadb = s20b;
+        slopeb = s20b * (x2 - p_road3);
+        tb21 = s20b * slope;
+        x2b += tb21;
+        p_road3b = -tb21;
+        s20b = 0.0;
+        t11b = slopeb;
+        hb = -(slopeb * (2.0 * spline0[t->roadspline[road]][0] + spline0[t->roadspline[road] +
+            1][0]) / 6.0);
+        tb20 = slopeb * (h / 6.0);
+        spline0b[t->roadspline[road]][0] -= tb20 * 2.0;
+        spline0b[t->roadspline[road] + 1][0] -= tb20;
+        tb19 = t11b / h;
+        pb[t->roadadr[road] + t->roadn[road] + 1] += tb19;
+        p_roadroadb -= tb19;
+        hb -= tb19 * t11;
+        pb[t->roadadr[road] + t->roadn[road]] += p_roadroadb;
+        pb[t->roadadr[road] + 1] += hb;
+        p_road3b -= hb;
+        pb[t->roadadr[road]] += p_road3b;
+      } else if (k5 > t->roadn[road] - 2) {
+        p2 = p[t->roadadr[road] + t->roadn[road] - 1];
+        h3 = p2 - p[t->roadadr[road] + t->roadn[road] - 2];
+        p3 = p[t->roadadr[road] + t->roadn[road] + t->roadn[road] - 1];
+        t12 = (p3 - p[t->roadadr[road] + t->roadn[road] + t->roadn[road] - 2]) / h3;
+        slope3 = t12 + h3 / 6.0 * (spline0[t->roadspline[road] + t->roadn[road] - 2][0] + 2.0 *
+            spline0[t->roadspline[road] + t->roadn[road] - 1][0]);
+        p3b = s20b;
+        slope3b = s20b * (x2 - p2);
+        tb24 = s20b * slope3;
+        x2b += tb24;
+        p2b = -tb24;
+        s20b = 0.0;
+        t12b = slope3b;
+        h3b = slope3b * (spline0[t->roadspline[road] + t->roadn[road] - 2][0] + 2.0 *
+            spline0[t->roadspline[road] + t->roadn[road] - 1][0]) / 6.0;
+        tb23 = slope3b * (h3 / 6.0);
+        spline0b[t->roadspline[road] + t->roadn[road] - 2][0] += tb23;
+        spline0b[t->roadspline[road] + t->roadn[road] - 1][0] += tb23 * 2.0;
+        tb22 = t12b / h3;
+        p3b += tb22;
+        pb[t->roadadr[road] + t->roadn[road] + t->roadn[road] - 2] -= tb22;
+        h3b -= tb22 * t12;
+        pb[t->roadadr[road] + t->roadn[road] + t->roadn[road] - 1] += p3b;
+        p2b += h3b;
+        pb[t->roadadr[road] + t->roadn[road] - 2] -= h3b;
+        pb[t->roadadr[road] + t->roadn[road] - 1] += p2b;
+      } else {
+        p_roadk51 = p[t->roadadr[road] + k5 + 1];
+        p_roadk5 = p[t->roadadr[road] + k5];
+        h3_2 = p_roadk51 - p_roadk5;
+        a2 = p_roadk51 - x2;
+        c3 = x2 - p_roadk5;
+        p4 = p[t->roadadr[road] + t->roadn[road] + k5];
+        t13 = (p[t->roadadr[road] + t->roadn[road] + k5 + 1] - p4) / h3_2;
+        spline0_roadk510 = spline0[t->roadspline[road] + k5 + 1][0];
+        spline0_roadk50 = spline0[t->roadspline[road] + k5][0];
+        e = t13 - h3_2 / 6.0 * (spline0_roadk510 - spline0_roadk50);
+        t14 = 6.0 * h3_2;
+        t15 = (spline0_roadk50 * a2 * a2 * a2 + spline0_roadk510 * c3 * c3 * c3) / t14;
+        t15b = s20b;
+        p4b = s20b;
+        tb32 = s20b / 6.0;
+        tb33 = tb32 * h3_2;
+        spline0_roadk50b = -(tb33 * h3_2);
+        h3_2b = -(tb33 * spline0_roadk50);
+        h3_2b -= tb32 * (spline0_roadk50 * h3_2);
+        eb = s20b * c3;
+        c3b = s20b * e;
+        s20b = 0.0;
+        tb27 = t15b / t14;
+        tb28 = tb27 * a2;
+        tb29 = tb28 * a2;
+        spline0_roadk50b += tb29 * a2;
+        a2b = tb29 * spline0_roadk50;
+        a2b += tb28 * (spline0_roadk50 * a2);
+        a2b += tb27 * (spline0_roadk50 * a2 * a2);
+        tb30 = tb27 * c3;
+        tb31 = tb30 * c3;
+        spline0_roadk510b = tb31 * c3;
+        c3b += tb31 * spline0_roadk510;
+        c3b += tb30 * (spline0_roadk510 * c3);
+        c3b += tb27 * (spline0_roadk510 * c3 * c3);
+        t14b = -(tb27 * t15);
+        h3_2b += t14b * 6.0;
+        t13b = eb;
+        h3_2b -= eb * (spline0_roadk510 - spline0_roadk50) / 6.0;
+        tb26 = eb * (h3_2 / 6.0);
+        spline0_roadk510b -= tb26;
+        spline0_roadk50b += tb26;
+        spline0b[t->roadspline[road] + k5][0] += spline0_roadk50b;
+        spline0b[t->roadspline[road] + k5 + 1][0] += spline0_roadk510b;
+        tb25 = t13b / h3_2;
+        pb[t->roadadr[road] + t->roadn[road] + k5 + 1] += tb25;
+        p4b -= tb25;
+        h3_2b -= tb25 * t13;
+        pb[t->roadadr[road] + t->roadn[road] + k5] += p4b;
+        x2b += c3b;
+        p_roadk5b = -c3b;
+        p_roadk51b = a2b;
+        x2b -= a2b;
+        p_roadk51b += h3_2b;
+        p_roadk5b -= h3_2b;
+        pb[t->roadadr[road] + k5] += p_roadk5b;
+        pb[t->roadadr[road] + k5 + 1] += p_roadk51b;
+      }
     }
     /* Where the rigid disc of a wheel meets the road: the plane that touches the road where the line from
      * the centre down the disc meets it, n its normal; then down the disc to that plane,
      *   e = (u.n u - n) / |u × n|,  r = (c - q).n / |u × n|,  T = u × n / |u × n|,  L = n × T
-     * g: centre c from the point of the road.  arm: r e; z: r, u.n, |u × n| */
+     * g: centre c from the point of the road.  arm: r e; z: r, u.n, |u × n|, slope that the plane lacks */
     g0b += x2b;
     rb[t->wheelpoint[i]][2] += g2b;
     rb[t->roadpoint[road]][2] -= g2b;
     rb[t->wheelpoint[i]][0] += g0b;
     rb[t->roadpoint[road]][0] -= g0b;
-    tb4 = u2b / n2;
+    tb4 = u2_2b / n2;
     ua2b = tb4;
-    n2b = -(tb4 * u2);
+    n2b = -(tb4 * u2_2);
     tb3 = u1b / n2;
     ua1b = tb3;
     n2b -= tb3 * u1;

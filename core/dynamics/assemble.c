@@ -444,7 +444,8 @@ static maggi_status roll(maggi_data *d)
   int i, k, q;
 
   maggi_evaluate(d, 0.0);
-  maggi_rolling(t, d->p, (void *)d->A, (void *)d->b, (void *)d->r, (void *)d->Z, d->spin);
+  maggi_rolling(t, d->p, (void *)d->spline0, (void *)d->A, (void *)d->b, (void *)d->r, (void *)d->Z,
+                d->spin);
   for (i = 0; i < t->nwheel; ++i) {
     q = t->qid[t->wheelbody[i]];
     for (k = 0; k < 3; ++k) w[k] = d->b[t->wheelbody[i]][k + 3];

@@ -31,6 +31,9 @@
   X(rv, npoint, 3, "velocities of points [m/s]")                                                   \
   X(r0a, npoint, 3, "accelerations of points by Z0")                                               \
   X(rba, npoint, 3, "accelerations of points by Zb")                                               \
+  X(slip, nwheel, MAGGI_SLIP_NUMBERS, "slip of wheels, MAGGI_SLIP_..")                             \
+  X(grip, nwheel, 6, "forces and moments of tyres, in axes of the contact")                        \
+  X(roll, nwheel, 6, "the same at P")                                                              \
   X(I, nbody, 10, "inertia at P: mass, first moment, J")                                           \
   X(IS, nbody1, 10, "the same of the whole subtree")                                               \
   X(F, nbody1, 6, "inertia forces at P, with a minus")                                             \

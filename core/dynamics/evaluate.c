@@ -70,8 +70,11 @@ static void accelerate(maggi_data *d)
                         d->gam, d->v1, d->y1, d->ab, d->space);
     maggi_accelerations(t, ARRAY(d->b), ARRAY(d->Z0), d->ab, d->W, d->Zb);
   }
+  if (t->nwheel > 0)
+    maggi_wheel_forces(t, d->p, ARRAY(d->spline0), ARRAY(d->A), ARRAY(d->Z), ARRAY(d->r),
+                       ARRAY(d->rv), d->slip, d->grip, d->roll);
   maggi_element_forces(t, d->p, ARRAY(d->fun), d->spring0, d->q, d->v, ARRAY(d->A), ARRAY(d->Z),
-                       ARRAY(d->r), ARRAY(d->rv), d->Q, d->tau, d->power);
+                       ARRAY(d->r), ARRAY(d->rv), ARRAY(d->roll), d->Q, d->tau, d->power);
   maggi_control_forces(t, d->p, ARRAY(d->fun), d->v, ARRAY(d->rv), d->speed, d->tau, d->power);
   maggi_body_inertias(t, ARRAY(d->body0), ARRAY(d->A), ARRAY(d->x), d->I);
   maggi_inertia_forces(t, ARRAY(d->I), ARRAY(d->Z), Zb, d->F);
@@ -124,8 +127,11 @@ void maggi_evaluate_given(maggi_data *d, double time)
   }
   maggi_velocities(t, d->p, ARRAY(d->b), d->v, d->Z, d->Z0);
   maggi_point_velocities(t, 0, t->npointdyn, ARRAY(d->r), ARRAY(d->Z), d->rv);
+  if (t->nwheel > 0)
+    maggi_wheel_forces(t, d->p, ARRAY(d->spline0), ARRAY(d->A), ARRAY(d->Z), ARRAY(d->r),
+                       ARRAY(d->rv), d->slip, d->grip, d->roll);
   maggi_element_forces(t, d->p, ARRAY(d->fun), d->spring0, d->q, d->v, ARRAY(d->A), ARRAY(d->Z),
-                       ARRAY(d->r), ARRAY(d->rv), d->Q, d->tau, d->power);
+                       ARRAY(d->r), ARRAY(d->rv), ARRAY(d->roll), d->Q, d->tau, d->power);
   maggi_control_forces(t, d->p, ARRAY(d->fun), d->v, ARRAY(d->rv), d->speed, d->tau, d->power);
   maggi_body_inertias(t, ARRAY(d->body0), ARRAY(d->A), ARRAY(d->x), d->I);
   d->fresh = MAGGI_STALE;
@@ -174,7 +180,8 @@ void maggi_results(maggi_data *d)
                             ARRAY(d->Za), d->ra);
   maggi_reactions(t, ARRAY(d->x), ARRAY(d->FSr), d->wrench);
   maggi_sensors(t, d->p, d->origin, d->spring0, d->q, d->v, ARRAY(d->A), ARRAY(d->x), ARRAY(d->r),
-                ARRAY(d->Z), ARRAY(d->rv), ARRAY(d->Za), ARRAY(d->ra), d->lambda, d->sensor);
+                ARRAY(d->Z), ARRAY(d->rv), ARRAY(d->Za), ARRAY(d->ra), d->lambda, ARRAY(d->slip),
+                ARRAY(d->grip), d->sensor);
   d->fresh = MAGGI_FRESH;
 }
 

@@ -26,8 +26,11 @@ static void move(maggi_data *d, double time)
   guide(d);
   maggi_velocities(t, d->p, ARRAY(d->b), d->v, d->Z, d->Z0);
   maggi_point_velocities(t, 0, t->npointdyn, ARRAY(d->r), ARRAY(d->Z), d->rv);
+  if (t->nwheel > 0)
+    maggi_wheel_forces(t, d->p, ARRAY(d->spline0), ARRAY(d->A), ARRAY(d->Z), ARRAY(d->r),
+                       ARRAY(d->rv), d->slip, d->grip, d->roll);
   maggi_element_forces(t, d->p, ARRAY(d->fun), d->spring0, d->q, d->v, ARRAY(d->A), ARRAY(d->Z),
-                       ARRAY(d->r), ARRAY(d->rv), d->Q, d->tau, d->power);
+                       ARRAY(d->r), ARRAY(d->rv), ARRAY(d->roll), d->Q, d->tau, d->power);
   maggi_control_forces(t, d->p, ARRAY(d->fun), d->v, ARRAY(d->rv), d->speed, d->tau, d->power);
   maggi_body_inertias(t, ARRAY(d->body0), ARRAY(d->A), ARRAY(d->x), d->I);
 }

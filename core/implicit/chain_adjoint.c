@@ -26,6 +26,7 @@ void maggi_adjoint_forces(maggi_derivative *D)
   body_inertias(D, s);
   control_forces(D, s);
   element_forces(D, s);
+  if (D->d->t.nwheel > 0) wheel_forces(D, s);
   point_velocities(D, s);
   velocities(D, s);
   points(D, s);
@@ -70,6 +71,7 @@ void maggi_adjoint_balance(maggi_derivative *D, double alpha)
   accelerations(D, s);
   control_forces(D, s);
   element_forces(D, s);
+  if (D->d->t.nwheel > 0) wheel_forces(D, s);
   point_velocities(D, s);
   velocities(D, s);
 }

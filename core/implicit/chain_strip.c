@@ -16,6 +16,7 @@ static void move(maggi_derivative *D, const maggi_companion *s)
 {
   velocities(D, s);
   point_velocities(D, s);
+  if (D->d->t.nwheel > 0) wheel_forces(D, s);
   element_forces(D, s);
   control_forces(D, s);
   body_inertias(D, s);

@@ -1,4 +1,4 @@
-/* Springs, dampers, loads and wheels: what they exert.  [1] 3.4-3.9.
+/* Springs, dampers and loads: what they exert, and where that of wheels goes.  [1] 3.4-3.9.
  *
  * Wrenches at P on bodies, torques or forces on coordinates, and the power of what takes energy out
  * of the model or feeds it in (dampers, loads, wheels); springs store theirs. */
@@ -71,35 +71,16 @@ static double apply(int is_force, const double f[3], const double r[3], const do
   return power;
 }
 
-/* at the contact point on the wheel:  f_x T + f_y L + f_z N;  power of all of it, springs of tyres too */
-static double roll(const double f[6], const double c[3], const double arm[3], const double T[3],
-                   const double L[3], const double N[3], const double Z[6], double F[6])
-{
-  int k;
-  double r[3], force[3], moment[3], v[3];
-
-  for (k = 0; k < 3; ++k) {
-    r[k] = c[k] + arm[k];
-    force[k] = f[0] * T[k] + f[1] * L[k] + f[2] * N[k];
-    moment[k] = f[3] * T[k] + f[4] * L[k] + f[5] * N[k];
-  }
-  maggi_wrench_add(force, r, F);
-  for (k = 0; k < 3; ++k) F[k + 3] += moment[k];
-  maggi_point_rate(Z, r, v);
-  return maggi_dot(force, v) + moment[0] * Z[3] + moment[1] * Z[4] + moment[2] * Z[5];
-}
-
 void maggi_element_forces(const maggi_topo *t, const double p[t->np], const double fun[t->nfun][3],
                           const double spring0[t->nspring], const double q[t->nq],
                           const double v[t->nq], const double A[t->nbody + 1][9],
                           const double Z[t->nbody + 1][6], const double r[t->npoint][3],
-                          const double rv[t->npoint][3], double Q[t->nbody + 1][6],
-                          double tau[t->nq], double power[1])
+                          const double rv[t->npoint][3], const double roll[t->nwheel][6],
+                          double Q[t->nbody + 1][6], double tau[t->nq], double power[1])
 {
   int i, k, a, b, adr;
   double s;
   double u[3], z[2], f[2], torque[1], g[3], zero[3];
-  double slip[5], rolling[6], arm[3], T[3], L[3], N[3];
 
   power[0] = 0.0;
   for (i = 0; i <= t->nbody; ++i)
@@ -150,13 +131,10 @@ void maggi_element_forces(const maggi_topo *t, const double p[t->np], const doub
     }
   }
 
+  /* power of all of it, springs of tyres too */
   for (i = 0; i < t->nwheel; ++i) {
     a = t->wheelbody[i];
-    b = t->wheelcarrier[i];
-    k = t->wheelroad[i];
-    maggi_wheel(t->wheelaxis[i], t->tyreadr[t->wheeltyre[i]], t->wheelmirror[i], t->wheelgrip[i],
-                t->roadkind[k], t->roadadr[k], t->np, p, A[a], Z[a], Z[b], r[t->wheelpoint[i]],
-                rv[t->wheelpoint[i]], r[t->roadpoint[k]], slip, rolling, arm, T, L, N);
-    power[0] += roll(rolling, r[t->wheelpoint[i]], arm, T, L, N, Z[a], Q[a]);
+    for (k = 0; k < 6; ++k) Q[a][k] += roll[i][k];
+    power[0] += maggi_dot6(roll[i], Z[a]);
   }
 }

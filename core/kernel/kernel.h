@@ -34,7 +34,12 @@ void maggi_point_constants(const maggi_topo *t, const double p[t->np], const dou
                            double point0[t->npoint][3], double dir0[t->ndir][3],
                            double prim0[t->nprim], double spring0[t->nspring]);
 
-/* function.c: time functions and their two derivatives */
+/* spline.c: natural cubic splines, f: value and two derivatives; function.c: time functions and their two derivatives */
+int maggi_piece(int np, const double p[np], int adr, int n, double x);
+void maggi_spline(int np, const double p[np], int adr, int n, int row, int nspline,
+                  double s[nspline][3]);
+void maggi_spline_value(int np, const double p[np], int adr, int n, int madr, int nspline,
+                        const double m[nspline][3], double time, double f[3]);
 void maggi_spline_constants(const maggi_topo *t, const double p[t->np],
                             double spline0[t->nspline][3]);
 void maggi_functions(const maggi_topo *t, const double p[t->np],
@@ -141,18 +146,21 @@ void maggi_spring(int adr, int preload, int withslopes, int np, const double p[n
 void maggi_joint_spring(int a, int b, int adr, int np, const double p[np], int nq,
                         const double q[nq], const double v[nq], double z[2], double torque[1]);
 
-/* tyre.c: the formula of a tyre; of all of them; slip and forces of a wheel */
+/* pac2002.c: the formula of a tyre; its slopes.  road.c: height of a road.  tyre.c: wheels */
 void maggi_tyre(int adr, int np, const double p[np], const double slip[5], double f[6]);
-void maggi_tyres(const maggi_topo *t, const double p[t->np], const double slip[t->ntyre][5],
-                 double f[t->ntyre][6]);
-void maggi_wheel(int axis, int adr, int mirror, int grip, int kind, int roadadr, int np,
-                 const double p[np], const double A[9], const double Z[6], const double Zc[6],
-                 const double c[3], const double cv[3], const double road[3], double slip[5],
-                 double f[6], double arm[3], double T[3], double L[3], double N[3]);
+void maggi_tyre_slopes(int adr, int np, const double p[np], const double slip[5], double s[3]);
+void maggi_road_height(int kind, int adr, int n, int spline, int np, const double p[np],
+                       int nspline, const double spline0[nspline][3], double x, double h[3]);
+void maggi_wheel_forces(const maggi_topo *t, const double p[t->np],
+                        const double spline0[t->nspline][3], const double A[t->nbody + 1][9],
+                        const double Z[t->nbody + 1][6], const double r[t->npoint][3],
+                        const double rv[t->npoint][3], double slip[t->nwheel][MAGGI_SLIP_NUMBERS],
+                        double f[t->nwheel][6], double F[t->nwheel][6]);
 
-void maggi_rolling(const maggi_topo *t, const double p[t->np], const double A[t->nbody + 1][9],
-                   const double b[t->nbody][6], const double r[t->npoint][3],
-                   const double Z[t->nbody + 1][6], double spin[t->nwheel]);
+void maggi_rolling(const maggi_topo *t, const double p[t->np], const double spline0[t->nspline][3],
+                   const double A[t->nbody + 1][9], const double b[t->nbody][6],
+                   const double r[t->npoint][3], const double Z[t->nbody + 1][6],
+                   double spin[t->nwheel]);
 
 /* element.c: springs, dampers, loads, wheels; Q on bodies, tau on coordinates, power of what dissipates or
  * feeds energy */
@@ -160,8 +168,8 @@ void maggi_element_forces(const maggi_topo *t, const double p[t->np], const doub
                           const double spring0[t->nspring], const double q[t->nq],
                           const double v[t->nq], const double A[t->nbody + 1][9],
                           const double Z[t->nbody + 1][6], const double r[t->npoint][3],
-                          const double rv[t->npoint][3], double Q[t->nbody + 1][6],
-                          double tau[t->nq], double power[1]);
+                          const double rv[t->npoint][3], const double roll[t->nwheel][6],
+                          double Q[t->nbody + 1][6], double tau[t->nq], double power[1]);
 
 /* control.c: controllers of speed; adds to tau and power */
 void maggi_control_forces(const maggi_topo *t, const double p[t->np], const double fun[t->nfun][3],
@@ -219,6 +227,7 @@ void maggi_sensors(const maggi_topo *t, const double p[t->np], const double orig
                    const double r[t->npoint][3], const double Z[t->nbody + 1][6],
                    const double rv[t->npoint][3], const double Za[t->nbody + 1][6],
                    const double ra[t->npoint][3], const double lambda[t->nrow],
-                   double s[t->nsensor][3]);
+                   const double slip[t->nwheel][MAGGI_SLIP_NUMBERS],
+                   const double grip[t->nwheel][6], double s[t->nsensor][3]);
 
 #endif

@@ -41,20 +41,47 @@ static void span(const double ra[3], const double rb[3], const double va[3], con
   z[1] = maggi_dot(e, ev) / l;
 }
 
-static void wheel_columns(int kind, const double slip[5], const double f[6], double s[3])
+/* slopes of the formula, which a tyre of the other side has as well; 0 in the air */
+static void slopes_of_tyre(int adr, double side, int np, const double p[np],
+                           const double slip[MAGGI_SLIP_NUMBERS], double fz, double s[3])
+{
+  double one[5];
+
+  if (MAGGI_RE(fz) > 0.0) {
+    one[0] = slip[MAGGI_SLIP_KAPPA];
+    one[1] = side * slip[MAGGI_SLIP_TAN_ALPHA];
+    one[2] = side * slip[MAGGI_SLIP_GAMMA];
+    one[3] = fz;
+    one[4] = slip[MAGGI_SLIP_VX];
+    maggi_tyre_slopes(adr, np, p, one, s);
+  } else {
+    s[0] = 0.0;
+    s[1] = 0.0;
+    s[2] = 0.0;
+  }
+}
+
+static void wheel_columns(int kind, int adr, double side, int np, const double p[np],
+                          const double slip[MAGGI_SLIP_NUMBERS], const double f[6], double s[3])
 {
   if (kind == MAGGI_SENSOR_TYRE_SLIP) {
-    s[0] = slip[0];
-    s[1] = atan(slip[1]);
-    s[2] = slip[2];
+    s[0] = slip[MAGGI_SLIP_KAPPA];
+    s[1] = atan(slip[MAGGI_SLIP_TAN_ALPHA]);
+    s[2] = slip[MAGGI_SLIP_GAMMA];
   } else if (kind == MAGGI_SENSOR_TYRE_FORCE) {
     s[0] = f[0];
     s[1] = f[1];
     s[2] = f[2];
-  } else {
+  } else if (kind == MAGGI_SENSOR_TYRE_MOMENT) {
     s[0] = f[3];
     s[1] = f[4];
     s[2] = f[5];
+  } else if (kind == MAGGI_SENSOR_TYRE_CONTACT) {
+    s[0] = p[adr + MAGGI_TYRE_UNLOADED_RADIUS] - slip[MAGGI_SLIP_RADIUS];
+    s[1] = slip[MAGGI_SLIP_RADIUS];
+    s[2] = slip[MAGGI_SLIP_ROLLING];
+  } else {
+    slopes_of_tyre(adr, side, np, p, slip, f[2], s);
   }
 }
 
@@ -65,11 +92,12 @@ void maggi_sensors(const maggi_topo *t, const double p[t->np], const double orig
                    const double r[t->npoint][3], const double Z[t->nbody + 1][6],
                    const double rv[t->npoint][3], const double Za[t->nbody + 1][6],
                    const double ra[t->npoint][3], const double lambda[t->nrow],
-                   double s[t->nsensor][3])
+                   const double slip[t->nwheel][MAGGI_SLIP_NUMBERS],
+                   const double grip[t->nwheel][6], double s[t->nsensor][3])
 {
   int i, j, k, n, a, b;
   double sum;
-  double g[3], u[3], z[2], f[2], torque[1], slip[5], rolling[6], arm[3], T[3], L[3], N[3];
+  double g[3], u[3], z[2], f[2], torque[1];
 
   for (i = 0; i < t->nsensor; ++i) {
     j = t->sensorbody[i];
@@ -142,14 +170,8 @@ void maggi_sensors(const maggi_topo *t, const double p[t->np], const double orig
       s[i][1] = z[1];
       s[i][2] = lambda[t->primrow[n]];
     } else {
-      a = t->wheelpoint[n];
-      b = t->wheelroad[n];
-      j = t->wheelbody[n];
-      k = t->wheelcarrier[n];
-      maggi_wheel(t->wheelaxis[n], t->tyreadr[t->wheeltyre[n]], t->wheelmirror[n], t->wheelgrip[n],
-                  t->roadkind[b], t->roadadr[b], t->np, p, A[j], Z[j], Z[k], r[a], rv[a],
-                  r[t->roadpoint[b]], slip, rolling, arm, T, L, N);
-      wheel_columns(t->sensorkind[i], slip, rolling, s[i]);
+      wheel_columns(t->sensorkind[i], t->tyreadr[t->wheeltyre[n]], t->wheelmirror[n] ? -1.0 : 1.0,
+                    t->np, p, slip[n], grip[n], s[i]);
     }
   }
 }

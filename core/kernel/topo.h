@@ -54,6 +54,25 @@ enum {
 enum { MAGGI_JSPRING_K, MAGGI_JSPRING_C, MAGGI_JSPRING_REST, MAGGI_JSPRING_PRELOAD };
 enum { MAGGI_DRAG_RHO, MAGGI_DRAG_C, MAGGI_DRAG_AREA, MAGGI_DRAG_LOW, MAGGI_DRAG_WIND };
 enum { MAGGI_SPEED_TARGET, MAGGI_SPEED_GAIN, MAGGI_SPEED_TORQUE, MAGGI_SPEED_LOW };
+enum {
+  MAGGI_BUMPS_RADIUS,
+  MAGGI_BUMPS_HEIGHT,
+  MAGGI_BUMPS_FIRST,
+  MAGGI_BUMPS_SPACING,
+  MAGGI_BUMPS_FILLET
+};
+
+/* what is known of a wheel on its road; Fz as its spring has it, negative in the air */
+enum {
+  MAGGI_SLIP_KAPPA,
+  MAGGI_SLIP_TAN_ALPHA,
+  MAGGI_SLIP_GAMMA,
+  MAGGI_SLIP_FZ,
+  MAGGI_SLIP_VX,
+  MAGGI_SLIP_RADIUS,  /* loaded */
+  MAGGI_SLIP_ROLLING, /* Re */
+  MAGGI_SLIP_NUMBERS
+};
 
 /* what sensors are made of: accelerations, multipliers of loops */
 enum { MAGGI_NEED_ACCELERATION = 1, MAGGI_NEED_MULTIPLIER = 2 };
@@ -166,6 +185,8 @@ enum { MAGGI_NEED_ACCELERATION = 1, MAGGI_NEED_MULTIPLIER = 2 };
   X(tyreadr, ntyre, "address: MAGGI_TYRE_..")                                                      \
   X(roadkind, nroad, "maggi_road_type")                                                            \
   X(roadadr, nroad, "address of its numbers")                                                      \
+  X(roadn, nroad, "number of bumps or points")                                                     \
+  X(roadspline, nroad, "first second derivative of a profile")                                     \
   X(roadpoint, nroad, "point on the ground from which its height counts")                          \
   X(wheelbody, nwheel, "body that turns")                                                          \
   X(wheelcarrier, nwheel, "body on which it turns")                                                \

@@ -132,9 +132,13 @@ static int own_tyre(maggi_builder *b, maggi_tyre_def *d)
 
 static int own_road(maggi_builder *b, maggi_road_def *d)
 {
-  (void)b;
-  (void)d;
-  return 1;
+  if (d->type != MAGGI_ROAD_PROFILE) {
+    d->x = d->z = NULL;
+    return 1;
+  }
+  d->x = maggi_arena_numbers(&b->arena, d->x, d->number);
+  d->z = maggi_arena_numbers(&b->arena, d->z, d->number);
+  return d->x && d->z;
 }
 
 static int own_wheel(maggi_builder *b, maggi_wheel_def *d)
@@ -356,6 +360,8 @@ void maggi_tyre_def_init(maggi_tyre_def *def)
 void maggi_road_def_init(maggi_road_def *def)
 {
   memset(def, 0, sizeof *def);
+  def->number = 1;
+  def->fillet = 0.05;
 }
 
 void maggi_wheel_def_init(maggi_wheel_def *def)

@@ -247,12 +247,45 @@ maggi_status maggi_check_tyre(maggi_builder *b, const maggi_tyre_def *d)
   return MAGGI_OK;
 }
 
+static maggi_status check_bumps(maggi_builder *b, const maggi_road_def *d)
+{
+  double c = sqrt(d->height * (2.0 * d->radius - d->height));
+
+  REQUIRE(d->number >= 1, "roads", d->name, "the number of bumps must be positive (%d)", d->number);
+  REQUIRE(d->radius > 0.0 && isfinite(d->radius), "roads", d->name, "radius must be positive (%g)",
+          d->radius);
+  REQUIRE(d->height > 0.0 && d->height <= d->radius, "roads", d->name,
+          "height must be between 0 and the radius (%g, %g)", d->height, d->radius);
+  REQUIRE(isfinite(d->first), "roads", d->name, "first is not finite");
+  REQUIRE(d->fillet >= 0.0 && d->fillet <= 2.0 * c, "roads", d->name,
+          "fillet must be between 0 and the length of a bump (%g, %g)", d->fillet, 2.0 * c);
+  REQUIRE(isfinite(d->spacing) && (d->number == 1 || d->spacing >= 2.0 * c + d->fillet), "roads",
+          d->name, "spacing must be at least the length of a bump with its fillet (%g, %g)",
+          d->spacing, 2.0 * c + d->fillet);
+  return MAGGI_OK;
+}
+
+static maggi_status check_profile(maggi_builder *b, const maggi_road_def *d)
+{
+  int i;
+
+  REQUIRE(d->number >= 2, "roads", d->name, "at least two points are needed, not %d", d->number);
+  REQUIRE(d->x && d->z && maggi_all_finite(d->x, d->number) && maggi_all_finite(d->z, d->number),
+          "roads", d->name, "a point is not finite");
+  for (i = 1; i < d->number; ++i)
+    REQUIRE(d->x[i] > d->x[i - 1], "roads", d->name, "x does not increase (%g after %g)", d->x[i],
+            d->x[i - 1]);
+  return MAGGI_OK;
+}
+
 maggi_status maggi_check_road(maggi_builder *b, const maggi_road_def *d)
 {
   REQUIRE((int)d->type >= 0 && d->type < MAGGI_ROAD_TYPE_COUNT, "roads", d->name,
           "road type %d does not exist", (int)d->type);
   REQUIRE(maggi_all_finite(d->point, 3) && isfinite(d->slope) && isfinite(d->amplitude), "roads",
           d->name, "a number is not finite");
+  if (d->type == MAGGI_ROAD_BUMPS) return check_bumps(b, d);
+  if (d->type == MAGGI_ROAD_PROFILE) return check_profile(b, d);
   return MAGGI_OK;
 }
 

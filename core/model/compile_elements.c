@@ -205,15 +205,30 @@ static void add_tyre(maggi_compile *c, const maggi_tyre_def *d)
 
 static void add_road(maggi_compile *c, const maggi_road_def *d)
 {
-  int adr = maggi_parameter_add3(c, d->point, "m", "roads.%s.point", d->name);
+  int adr = maggi_parameter_add3(c, d->point, "m", "roads.%s.point", d->name), k;
 
   PUSH(roadkind, d->type);
+  PUSH(roadn, d->number);
+  PUSH(roadspline, c->t->nspline);
   PUSH(roadpoint, maggi_compile_point(c, c->t->nbody, adr));
   if (d->type == MAGGI_ROAD_FLAT) {
     PUSH(roadadr, NUMBER(roads, slope, "-", NONE));
-  } else {
+  } else if (d->type == MAGGI_ROAD_SINE) {
     PUSH(roadadr, NUMBER(roads, amplitude, "m", NONE));
     NUMBER(roads, wavelength, "m", POSITIVE);
+  } else if (d->type == MAGGI_ROAD_BUMPS) {
+    PUSH(roadadr, NUMBER(roads, radius, "m", POSITIVE));
+    NUMBER(roads, height, "m", POSITIVE);
+    NUMBER(roads, first, "m", NONE);
+    NUMBER(roads, spacing, "m", NOT_NEGATIVE);
+    NUMBER(roads, fillet, "m", NOT_NEGATIVE);
+  } else {
+    PUSH(roadadr, c->m->nparameter);
+    for (k = 0; k < d->number; ++k)
+      maggi_parameter_add(c, d->x[k], "m", MAGGI_BOUND_NONE, "roads.%s.x.%d", d->name, k + 1);
+    for (k = 0; k < d->number; ++k)
+      maggi_parameter_add(c, d->z[k], "m", MAGGI_BOUND_NONE, "roads.%s.z.%d", d->name, k + 1);
+    c->t->nspline += d->number;
   }
 }
 

@@ -28,7 +28,10 @@ static const titles columns_of[MAGGI_SENSOR_TYPE_COUNT] = {
     [MAGGI_SENSOR_LEVEL_VELOCITY] = {{"x", "y", "z"}, {"m/s", "m/s", "m/s"}},
     [MAGGI_SENSOR_LEVEL_ACCELERATION] = {{"x", "y", "z"}, {"m/s^2", "m/s^2", "m/s^2"}},
     [MAGGI_SENSOR_BODY_ACCELERATION] = {{"x", "y", "z"}, {"m/s^2", "m/s^2", "m/s^2"}},
-    [MAGGI_SENSOR_COMBINATION] = {{"value"}, {"-"}}};
+    [MAGGI_SENSOR_COMBINATION] = {{"value"}, {"-"}},
+    [MAGGI_SENSOR_TYRE_CONTACT] = {{"deflection", "loaded_radius", "rolling_radius"},
+                                   {"m", "m", "m"}},
+    [MAGGI_SENSOR_TYRE_SLOPE] = {{"dfy_dalpha", "dfx_dkappa", "utilisation"}, {"N/rad", "N", "-"}}};
 
 static const titles columns_of_angle = {{"value", "rate", "torque"}, {"rad", "rad/s", "N m"}};
 
@@ -77,7 +80,7 @@ static maggi_status find_element(maggi_compile *c, const maggi_sensor_def *d, in
   } else if (d->type == MAGGI_SENSOR_JOINT_SPRING) {
     what = "joint spring";
     FIND(c->b->joint_spring, c->b->njoint_spring, element)
-  } else if (d->type >= MAGGI_SENSOR_TYRE_SLIP) {
+  } else if (d->type >= MAGGI_SENSOR_TYRE_SLIP && d->type <= MAGGI_SENSOR_TYRE_SLOPE) {
     what = "wheel";
     FIND(c->b->wheel, c->b->nwheel, element)
   } else {

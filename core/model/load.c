@@ -109,8 +109,7 @@ void maggi_load_parse_free(load_source *source)
   source->file = NULL;
 }
 
-static maggi_status load_in_c_locale(const load_error *e, const char *bytes, size_t n,
-                                     maggi_model **model)
+static maggi_status read_model(const load_error *e, const char *bytes, size_t n, void *model)
 {
   load_files files = {.number = 1};
   maggi_status status;
@@ -124,14 +123,36 @@ static maggi_status load_in_c_locale(const load_error *e, const char *bytes, siz
   return status;
 }
 
+static maggi_status read_tyre(const load_error *e, const char *bytes, size_t n, void *def)
+{
+  return maggi_load_tir(e, bytes, n, def);
+}
+
+/* numbers have a point here, also in a program that has set a locale with a comma */
+static maggi_status in_c_locale(const load_error *e,
+                                maggi_status (*read)(const load_error *e, const char *bytes,
+                                                     size_t n, void *out),
+                                const char *bytes, size_t n, void *out)
+{
+#ifdef _WIN32
+  return read(e, bytes, n, out);
+#else
+  locale_t c_locale = newlocale(LC_NUMERIC_MASK, "C", (locale_t)0), old;
+  maggi_status status;
+
+  if (!c_locale) return fail_memory(e);
+  old = uselocale(c_locale);
+  status = read(e, bytes, n, out);
+  uselocale(old);
+  freelocale(c_locale);
+  return status;
+#endif
+}
+
 maggi_status maggi_model_load_memory(const char *name, const char *bytes, size_t n,
                                      maggi_model **model, char *message, size_t nmessage)
 {
   const load_error e = {name, message, nmessage};
-  maggi_status status;
-#ifndef _WIN32
-  locale_t c_locale, old;
-#endif
 
   *model = NULL;
   if (message && nmessage) *message = '\0';
@@ -139,18 +160,7 @@ maggi_status maggi_model_load_memory(const char *name, const char *bytes, size_t
     maggi_load_fail(&e, 0, "larger than %zu MB", MAGGI_LOAD_MAX >> 20);
     return MAGGI_E_FILE;
   }
-#ifdef _WIN32
-  status = load_in_c_locale(&e, bytes, n, model);
-#else
-  /* numbers have a point here, also in a program that has set a locale with a comma */
-  c_locale = newlocale(LC_NUMERIC_MASK, "C", (locale_t)0);
-  if (!c_locale) return fail_memory(&e);
-  old = uselocale(c_locale);
-  status = load_in_c_locale(&e, bytes, n, model);
-  uselocale(old);
-  freelocale(c_locale);
-#endif
-  return status;
+  return in_c_locale(&e, read_model, bytes, n, model);
 }
 
 /* ----------------------------------------------------------------------------------------- file */
@@ -210,6 +220,21 @@ maggi_status maggi_model_load(const char *path, maggi_model **model, char *messa
   status = maggi_load_read(&e, &bytes, &n);
   if (status == MAGGI_OK)
     status = maggi_model_load_memory(path, bytes, n, model, message, nmessage);
+  free(bytes);
+  return status;
+}
+
+maggi_status maggi_tyre_load(const char *path, maggi_tyre_def *def, char *message, size_t nmessage)
+{
+  const load_error e = {path, message, nmessage};
+  char *bytes;
+  size_t n;
+  maggi_status status;
+
+  maggi_tyre_def_init(def);
+  if (message && nmessage) *message = '\0';
+  status = maggi_load_read(&e, &bytes, &n);
+  if (status == MAGGI_OK) status = in_c_locale(&e, read_tyre, bytes, n, def);
   free(bytes);
   return status;
 }

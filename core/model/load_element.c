@@ -270,6 +270,8 @@ maggi_status maggi_load_sensor(const load_build *b, const load_sensor *sensor)
       [MAGGI_SENSOR_TYRE_SLIP] = "--r",
       [MAGGI_SENSOR_TYRE_FORCE] = "--r",
       [MAGGI_SENSOR_TYRE_MOMENT] = "--r",
+      [MAGGI_SENSOR_TYRE_CONTACT] = "--r",
+      [MAGGI_SENSOR_TYRE_SLOPE] = "--r",
       [MAGGI_SENSOR_LATERAL_ACCELERATION] = "ro-oo",
       [MAGGI_SENSOR_SIDESLIP] = "ro-o",
       [MAGGI_SENSOR_LEVEL_VELOCITY] = "ro",

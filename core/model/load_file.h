@@ -158,6 +158,10 @@ typedef struct load_road {
   char *type;
   double *point;
   double *slope, *amplitude, *wavelength;
+  double *radius, *height, *first, *spacing, *fillet;
+  double *number;
+  double *x, *z;
+  unsigned x_count, z_count;
 } load_road;
 
 typedef struct load_wheel {

@@ -154,6 +154,14 @@ static const cyaml_schema_field_t road_keys[] = {TEXT(load_road, name),
                                                  OPT_REAL(load_road, slope),
                                                  OPT_REAL(load_road, amplitude),
                                                  OPT_REAL(load_road, wavelength),
+                                                 OPT_REAL(load_road, radius),
+                                                 OPT_REAL(load_road, height),
+                                                 OPT_REAL(load_road, first),
+                                                 OPT_REAL(load_road, spacing),
+                                                 OPT_REAL(load_road, number),
+                                                 OPT_REAL(load_road, fillet),
+                                                 LIST(load_road, x, real, 1, ANY_NUMBER),
+                                                 LIST(load_road, z, real, 1, ANY_NUMBER),
                                                  CYAML_FIELD_END};
 static const cyaml_schema_value_t road = {
     CYAML_VALUE_MAPPING(CYAML_FLAG_DEFAULT, load_road, road_keys)};

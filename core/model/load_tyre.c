@@ -297,12 +297,22 @@ static const load_words side_words = {side_word, find_side};
 
 maggi_status maggi_load_road(const load_build *b, const load_road *road)
 {
-  /* slope; amplitude, wavelength */
-  static const char *const rules[MAGGI_ROAD_TYPE_COUNT] = {
-      [MAGGI_ROAD_FLAT] = "o", [MAGGI_ROAD_SINE] = "-rr"};
+  /* slope; amplitude, wavelength; radius, height, first, spacing, number, fillet; x, z */
+  static const char *const rules[MAGGI_ROAD_TYPE_COUNT] = {[MAGGI_ROAD_FLAT] = "o",
+                                                           [MAGGI_ROAD_SINE] = "-rr",
+                                                           [MAGGI_ROAD_BUMPS] = "---rrrooo",
+                                                           [MAGGI_ROAD_PROFILE] = "---------rr"};
   const load_key keys[] = {{"slope", road->slope != NULL},
                            {"amplitude", road->amplitude != NULL},
                            {"wavelength", road->wavelength != NULL},
+                           {"radius", road->radius != NULL},
+                           {"height", road->height != NULL},
+                           {"first", road->first != NULL},
+                           {"spacing", road->spacing != NULL},
+                           {"number", road->number != NULL},
+                           {"fillet", road->fillet != NULL},
+                           {"x", road->x != NULL},
+                           {"z", road->z != NULL},
                            {NULL, 0}};
   maggi_road_def def;
   maggi_status status;
@@ -312,12 +322,29 @@ maggi_status maggi_load_road(const load_build *b, const load_road *road)
   status = maggi_load_word(b, ".type", road->type, &road_words, &type);
   if (status == MAGGI_OK) status = maggi_load_keys(b, "", road->type, rules[type], keys);
   if (status) return status;
+  if (road->x_count != road->z_count)
+    return maggi_load_fail_at(b, ".z", "%u heights for %u points", road->z_count, road->x_count);
+  if (road->number) {
+    if (!(*road->number >= 1.0 && *road->number <= 1e6) || *road->number != floor(*road->number))
+      return maggi_load_fail_at(b, ".number", "%g is not a number of bumps", *road->number);
+    def.number = (int)*road->number;
+  }
   def.name = road->name;
   def.type = (maggi_road_type)type;
   maggi_load_copy3(def.point, road->point);
   if (road->slope) def.slope = *road->slope;
   if (road->amplitude) def.amplitude = *road->amplitude;
   if (road->wavelength) def.wavelength = *road->wavelength;
+  if (road->radius) def.radius = *road->radius;
+  if (road->height) def.height = *road->height;
+  if (road->first) def.first = *road->first;
+  if (road->spacing) def.spacing = *road->spacing;
+  if (road->fillet) def.fillet = *road->fillet;
+  if (road->x) {
+    def.x = road->x;
+    def.z = road->z;
+    def.number = (int)road->x_count;
+  }
   return maggi_load_added(b, "", maggi_builder_road(b->builder, &def));
 }
 

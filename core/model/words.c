@@ -30,8 +30,10 @@ static const char *const sensor_words[] = {"position",
                                            "level_velocity",
                                            "level_acceleration",
                                            "body_acceleration",
-                                           "combination"};
-static const char *const road_words[] = {"flat", "sine"};
+                                           "combination",
+                                           "tyre_contact",
+                                           "tyre_slope"};
+static const char *const road_words[] = {"flat", "sine", "bumps", "profile"};
 static const char *const objective_words[] = {"integral",
                                               "integral_square",
                                               "mean",

@@ -54,6 +54,9 @@
   X(Za, (t->nbody + 1) * 6)                                                                        \
   X(ra, t->npoint * 3)                                                                             \
   X(gama, t->nrow)                                                                                 \
+  X(slip, t->nwheel *MAGGI_SLIP_NUMBERS)                                                           \
+  X(grip, t->nwheel * 6)                                                                           \
+  X(roll, t->nwheel * 6)                                                                           \
   X(I, t->nbody * 10)                                                                              \
   X(Q, (t->nbody + 1) * 6)                                                                         \
   X(speed, t->nspeed * 3)                                                                          \

@@ -70,6 +70,7 @@ static inline void forward(maggi_derivative *D, const maggi_companion *s)
     if (t->nrod > 0) point_accelerations(D, s);
   }
 
+  if (t->nwheel > 0) wheel_forces(D, s);
   element_forces(D, s);
   control_forces(D, s);
   body_inertias(D, s);

@@ -65,6 +65,7 @@ void maggi_strip_given(maggi_derivative *D, unsigned need)
   guide(t, s, 2, s->a);
   velocities(D, s);
   point_velocities(D, s);
+  if (t->nwheel > 0) wheel_forces(D, s);
   body_inertias(D, s);
   if (need & (MAGGI_RESULT_FORCE | MAGGI_RESULT_SENSOR)) {
     element_forces(D, s);

@@ -26,6 +26,7 @@ static inline void reverse_velocities(maggi_derivative *D, const maggi_companion
 {
   control_forces(D, s);
   element_forces(D, s);
+  if (D->d->t.nwheel > 0) wheel_forces(D, s);
   point_velocities(D, s);
   velocities(D, s);
 }

@@ -45,8 +45,10 @@ STAGE(loop_gamma, WITH(prim0), WITH(r), WITH(dir), WITH(rv), WITH(ra), WITH(Z), 
       WITH(gama))
 
 /* forces */
-STAGE(element_forces, WITH(p), WITH(fun), WITH(spring0), WITH(q), WITH(v), WITH(A), WITH(Z),
-      WITH(r), WITH(rv), WITH(Q), WITH(tau), D->power)
+STAGE(wheel_forces, WITH(p), WITH(spline0), WITH(A), WITH(Z), WITH(r), WITH(rv), WITH(slip),
+      WITH(grip), WITH(roll))
+STAGE(element_forces, WITH(p), WITH(fun), WITH(spring0), WITH(q), WITH(v), WITH(A), (void *)d->Z,
+      WITH(r), WITH(rv), WITH(roll), WITH(Q), WITH(tau), D->power)
 STAGE(control_forces, WITH(p), WITH(fun), d->v, WITH(rv), WITH(speed), WITH(tau), D->power)
 STAGE(body_inertias, WITH(body0), WITH(A), WITH(x), WITH(I))
 STAGE(inertia_forces, WITH(I), WITH(Z), WITH(Za), WITH(Fr))
@@ -56,7 +58,7 @@ STAGE(accumulate, WITH(Fr), WITH(Q), WITH(FSr))
 STAGE(generalised_forces, WITH(b), WITH(FSr), WITH(tau), WITH(w))
 
 /* initial velocities */
-STAGE(rolling, WITH(p), WITH(A), WITH(b), WITH(r), WITH(Z), WITH(spin))
+STAGE(rolling, WITH(p), WITH(spline0), WITH(A), WITH(b), WITH(r), WITH(Z), WITH(spin))
 
 /* results */
 STAGE(reactions, WITH(x), WITH(FSr), WITH(wrench))
@@ -65,7 +67,7 @@ CALL(sensor_velocities, point_velocities, t->npointdyn, t->npoint, WITH(r), WITH
 CALL(sensor_accelerations, point_accelerations, t->npointdyn, t->npoint, WITH(r), WITH(rv), WITH(Z),
      WITH(Za), WITH(ra))
 STAGE(sensors, WITH(p), d->origin, WITH(spring0), WITH(q), WITH(v), WITH(A), WITH(x), WITH(r),
-      WITH(Z), WITH(rv), WITH(Za), WITH(ra), WITH(lambda), WITH(sensor))
+      WITH(Z), WITH(rv), WITH(Za), WITH(ra), WITH(lambda), WITH(slip), WITH(grip), WITH(sensor))
 STAGE(kinetic_energy, WITH(p), WITH(I), WITH(Z), WITH(rv), WITH(kinetic))
 STAGE(potential_energy, WITH(p), d->origin, WITH(body0), WITH(spring0), WITH(q), WITH(A), WITH(x),
       WITH(r), WITH(potential))

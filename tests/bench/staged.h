@@ -28,6 +28,7 @@
   X(maggi_point_velocities, "velocities")                                                         \
   X(maggi_point_accelerations, "velocities")                                                      \
   X(maggi_accelerations, "velocities")                                                            \
+  X(maggi_wheel_forces, "inertias")                                                               \
   X(maggi_element_forces, "inertias")                                                             \
   X(maggi_body_inertias, "inertias")                                                              \
   X(maggi_inertia_forces, "inertias")                                                             \

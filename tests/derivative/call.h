@@ -10,7 +10,7 @@
 #include "heads.h"
 #include "inputs.h"
 
-enum { CALL_ARGUMENTS = 16 };
+enum { CALL_ARGUMENTS = 20 };
 
 /* numbers for each argument of a head */
 typedef struct arguments {

@@ -90,7 +90,7 @@ static void random_tyre(inputs *in, double *p)
                               MAGGI_TYRE_PKX3, MAGGI_TYRE_PKY3, MAGGI_TYRE_QSY4, MAGGI_TYRE_PHX2,
                               MAGGI_TYRE_PHY2, MAGGI_TYRE_PVX2, MAGGI_TYRE_PVY2, MAGGI_TYRE_PVY4,
                               MAGGI_TYRE_PEX2, MAGGI_TYRE_PEX3, MAGGI_TYRE_PEY2, MAGGI_TYRE_QEZ2,
-                              MAGGI_TYRE_QEZ3};
+                              MAGGI_TYRE_QEZ3, MAGGI_TYRE_RHX1, MAGGI_TYRE_RHY1, MAGGI_TYRE_RHY2};
   int i;
 
   for (i = 0; i < (int)(sizeof positive / sizeof *positive); ++i)
@@ -100,6 +100,29 @@ static void random_tyre(inputs *in, double *p)
   p[MAGGI_TYRE_RCX1] = mech_uniform(&in->random, 0.2, 0.9);
   p[MAGGI_TYRE_RCY1] = mech_uniform(&in->random, 0.2, 0.9);
   p[MAGGI_TYRE_LOW_CAMBER] = mech_uniform(&in->random, 0.03, 0.3);
+}
+
+/* bumps of which a wheel near the origin meets all parts */
+static void random_road(inputs *in, int road, double *p)
+{
+  const maggi_topo *t = in->t;
+  int k, n = t->roadn[road];
+
+  if (t->roadkind[road] == MAGGI_ROAD_BUMPS) {
+    p[MAGGI_BUMPS_RADIUS] = mech_uniform(&in->random, 0.6, 1.0);
+    p[MAGGI_BUMPS_HEIGHT] = mech_uniform(&in->random, 0.1, 0.3);
+    p[MAGGI_BUMPS_FIRST] = mech_uniform(&in->random, -2.0, 0.0);
+    p[MAGGI_BUMPS_SPACING] = mech_uniform(&in->random, 1.5, 2.5);
+    p[MAGGI_BUMPS_FILLET] = mech_uniform(&in->random, 0.2, 0.4);
+  } else if (t->roadkind[road] == MAGGI_ROAD_PROFILE) {
+    for (k = 0; k < n; ++k) {
+      p[k] = (1.4 * k + mech_uniform(&in->random, -0.3, 0.3)) / n - 0.7;
+      p[n + k] = mech_uniform(&in->random, -0.1, 0.1);
+    }
+  } else {
+    p[0] = mech_uniform(&in->random, -0.3, 0.3);
+    if (t->roadkind[road] == MAGGI_ROAD_SINE) p[1] = mech_uniform(&in->random, 2.0, 6.0);
+  }
 }
 
 static void random_parameters(inputs *in, double *p)
@@ -122,11 +145,7 @@ static void random_parameters(inputs *in, double *p)
     fill(in, 3, -0.2, 0.2, p + t->wheelaxis[i]);
     p[t->wheelaxis[i] + 1] = 1.0;
   }
-  for (i = 0; i < t->nroad; ++i) {
-    p[t->roadadr[i]] = mech_uniform(&in->random, -0.3, 0.3);
-    if (t->roadkind[i] == MAGGI_ROAD_SINE)
-      p[t->roadadr[i] + 1] = mech_uniform(&in->random, 2.0, 6.0);
-  }
+  for (i = 0; i < t->nroad; ++i) random_road(in, i, p + t->roadadr[i]);
 }
 
 /* away from where an angle of a sensor jumps by a turn, and from where its rate grows without bound */
@@ -208,19 +227,32 @@ static void choose_zones(inputs *in, double *rv)
   }
 }
 
-/* kappa, tan(alpha), gamma, Fz, Vx of each tyre */
+/* of each wheel */
 static void random_slips(inputs *in, double *x)
+{
+  int i;
+
+  for (i = 0; i < in->t->nwheel; ++i, x += MAGGI_SLIP_NUMBERS) {
+    fill(in, MAGGI_SLIP_NUMBERS, 0.3, 1.5, x);
+    fill(in, 2, -0.3, 0.3, x + MAGGI_SLIP_KAPPA);
+    fill(in, 1, -0.2, 0.2, x + MAGGI_SLIP_GAMMA);
+    fill(in, 1, -1.0, 1.0, x + MAGGI_SLIP_VX);
+  }
+}
+
+/* forces of wheels with load or without */
+static void random_grip(inputs *in, double *x)
 {
   const maggi_topo *t = in->t;
   const double *p = inputs_get(in, "p", t->np);
   int i;
 
-  for (i = 0; i < t->ntyre; ++i) {
-    fill(in, 2, -0.3, 0.3, x + 5 * i);
-    fill(in, 1, -0.2, 0.2, x + 5 * i + 2);
-    x[5 * i + 3] = mech_uniform(&in->random, 0.3, 1.5) * fabs(p[t->tyreadr[i] + MAGGI_TYRE_FNOMIN]);
-    x[5 * i + 4] = mech_uniform(&in->random, -1.0, 1.0);
-  }
+  fill(in, 6 * t->nwheel, -1.0, 1.0, x);
+  for (i = 0; i < t->nwheel; ++i)
+    x[6 * i + 2] = mech_integer(&in->random, 4)
+                       ? mech_uniform(&in->random, 0.3, 1.5) *
+                             fabs(p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_FNOMIN])
+                       : 0.0;
 }
 
 static void random_argument(inputs *in, const char *name, int n, double *x)
@@ -233,6 +265,8 @@ static void random_argument(inputs *in, const char *name, int n, double *x)
     random_rotations(in, n, x);
   else if (strcmp(name, "slip") == 0)
     random_slips(in, x);
+  else if (strcmp(name, "grip") == 0)
+    random_grip(in, x);
   else if (strcmp(name, "prim0") == 0 || strcmp(name, "spring0") == 0)
     fill(in, n, 0.5, 1.5, x);
   else
@@ -247,7 +281,7 @@ const double *inputs_get(inputs *in, const char *name, int n)
 
   for (i = 0; i < in->number; ++i)
     if (strcmp(in->input[i].name, name) == 0 && in->input[i].n == n) return in->input[i].x;
-  if (in->d && !(from = array_of(in->d, name)) && strcmp(name, "slip") != 0) return NULL;
+  if (in->d && !(from = array_of(in->d, name))) return NULL;
   x = malloc(((size_t)n + 1) * sizeof *x);
   if (!x || in->number == INPUTS_MAX) abort();
   if (from)

@@ -24,9 +24,11 @@ static inline void open_chain_forces(maggi_data *d)
   maggi_point_velocities(t, 0, t->npointdyn, CHAIN_ARRAY(d->r), CHAIN_ARRAY(d->Z), d->rv);
   maggi_point_accelerations(t, 0, t->npointdyn, CHAIN_ARRAY(d->r), CHAIN_ARRAY(d->rv),
                             CHAIN_ARRAY(d->Z), CHAIN_ARRAY(d->Z0), d->r0a);
+  maggi_wheel_forces(t, d->p, CHAIN_ARRAY(d->spline0), CHAIN_ARRAY(d->A), CHAIN_ARRAY(d->Z),
+                     CHAIN_ARRAY(d->r), CHAIN_ARRAY(d->rv), d->slip, d->grip, d->roll);
   maggi_element_forces(t, d->p, CHAIN_ARRAY(d->fun), d->spring0, d->q, d->v, CHAIN_ARRAY(d->A),
-                       CHAIN_ARRAY(d->Z), CHAIN_ARRAY(d->r), CHAIN_ARRAY(d->rv), d->Q, d->tau,
-                       d->power);
+                       CHAIN_ARRAY(d->Z), CHAIN_ARRAY(d->r), CHAIN_ARRAY(d->rv),
+                       CHAIN_ARRAY(d->roll), d->Q, d->tau, d->power);
   maggi_control_forces(t, d->p, CHAIN_ARRAY(d->fun), d->v, CHAIN_ARRAY(d->rv), d->speed, d->tau,
                        d->power);
   maggi_body_inertias(t, CHAIN_ARRAY(d->body0), CHAIN_ARRAY(d->A), CHAIN_ARRAY(d->x), d->I);

@@ -155,8 +155,10 @@ static int vanishing(const char *name)
   static const struct {
     const char *name;
     int entries;
-  } known[] = {
-      {"flyball-governor.yaml", 2}, {"triple-pendulum-closed.yaml", 27}, {"wheeled-frame.yaml", 7}};
+  } known[] = {{"flyball-governor.yaml", 2},
+               {"triple-pendulum-closed.yaml", 27},
+               {"wheeled-frame.yaml", 7},
+               {"wheeled-frame-obstacles.yaml", 2}};
   int i;
 
   for (i = 0; i < (int)(sizeof known / sizeof *known); ++i)

@@ -13,6 +13,7 @@ static const char help_general[] =
     "  maggi report RUN.csv ..          one page of tables and plots of one or more runs\n"
     "  maggi info MODEL [options]       bodies, loops, degrees of freedom, parameters\n"
     "  maggi models [--json]            the models that ship\n"
+    "  maggi tyre FILE.tir [options]    forces of a tyre at given slips\n"
     "  maggi help [COMMAND]             this, or all about one command\n"
     "  maggi version                    version of maggi\n"
     "\n"
@@ -226,6 +227,29 @@ static const char help_models[] =
     "Lists the models that ship, and those in the directory $MAGGI_MODELS, with the first\n"
     "sentence of their source.  A model NAME is the file NAME.yaml or NAME/NAME.yaml there.\n";
 
+static const char help_tyre[] =
+    "maggi tyre FILE.tir [options]\n"
+    "\n"
+    "Forces and moments of a tyre, PAC2002, steady state, as wheels of models have them.\n"
+    "\n"
+    "  --kappa K            longitudinal slip; default 0\n"
+    "  --alpha A            slip angle, rad, positive: slides to the left; default 0\n"
+    "  --gamma G            camber, rad, positive: leans to the right; default 0\n"
+    "  --fz N               load; default LFZO FNOMIN\n"
+    "  --vx V               speed, m/s; default LONGVL\n"
+    "  --sweep NAME=FROM:TO:N\n"
+    "                       N points with one of these moved, as --sweep alpha=-0.2:0.2:81\n"
+    "  --file FILE.csv      points from a table with columns of these names, in any case of\n"
+    "                       letters; other columns are passed over, options come first\n"
+    "  --side SIDE          left or right; default TYRESIDE, mirrored on the other one\n"
+    "  --out FILE.csv       write a table; - is standard output, where it goes without --out\n"
+    "                       when there is --sweep or --file\n"
+    "  --json               as one JSON object\n"
+    "\n"
+    "fx fy mx my mz are on the wheel, ISO-W: x forward, y left, z up, at the contact point.\n"
+    "dfy_dalpha, dfx_dkappa: slopes at this point; utilisation: sqrt((fx / Dx)^2 + (fy / Dy)^2),\n"
+    "D the peaks of pure slip at this load and camber.  Without load all are 0.\n";
+
 static const char help_help[] = "maggi help [COMMAND]\n"
                                 "\n"
                                 "Prints what maggi can do, or all about one command.\n";
@@ -240,9 +264,10 @@ const char *help_text(const char *command)
     const char *command;
     const char *text;
   } page[] = {
-      {"", help_general},      {"simulate", help_simulate}, {"sensitivity", help_sensitivity},
-      {"verify", help_verify}, {"report", help_report},     {"info", help_info},
-      {"models", help_models}, {"help", help_help},         {"version", help_version}};
+      {"", help_general},       {"simulate", help_simulate}, {"sensitivity", help_sensitivity},
+      {"verify", help_verify},  {"report", help_report},     {"info", help_info},
+      {"models", help_models},  {"tyre", help_tyre},         {"help", help_help},
+      {"version", help_version}};
   size_t i;
 
   for (i = 0; i < sizeof page / sizeof page[0]; ++i)

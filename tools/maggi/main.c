@@ -28,6 +28,7 @@ static const command commands[] = {{"simulate", command_simulate},
                                    {"report", command_report},
                                    {"info", command_info},
                                    {"models", command_models},
+                                   {"tyre", command_tyre},
                                    {"help", command_help},
                                    {"version", command_version},
                                    {NULL, NULL}};

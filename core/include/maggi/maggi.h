@@ -443,14 +443,23 @@ typedef struct maggi_tyre_def {
 } maggi_tyre_def;
 
 /* A road: its height is a function of x alone, from a point on.  z is up.
- * Paths: roads.NAME.point.x .., .slope; .amplitude, .wavelength
+ * Paths: roads.NAME.point.x .., .slope; .amplitude, .wavelength; .radius, .height, .first, .spacing,
+ * .fillet; .x.1, .x.2 .., .z.1 ..
  *
- *   flat   z = point.z + slope (x - point.x)
- *   sine   z = point.z + amplitude sin(2 pi (x - point.x) / wavelength)
+ *   flat     z = point.z + slope (x - point.x)
+ *   sine     z = point.z + amplitude sin(2 pi (x - point.x) / wavelength)
+ *   bumps    `number` cylinders across a level road, their tops at `height`, their axes at
+ *            x - point.x = first, first + spacing ..; their edges are rounded with two continuous
+ *            derivatives, over the length `fillet` of the road.  Wheels meet the cylinder straight
+ *            below, and it pushes them up, not back: the normal is vertical
+ *   profile  `number` points x, z from `point` joined by a natural C2 cubic spline, extended by
+ *            straight lines
  */
 typedef enum maggi_road_type {
   MAGGI_ROAD_FLAT,
   MAGGI_ROAD_SINE,
+  MAGGI_ROAD_BUMPS,
+  MAGGI_ROAD_PROFILE,
   MAGGI_ROAD_TYPE_COUNT
 } maggi_road_type;
 
@@ -458,8 +467,11 @@ typedef struct maggi_road_def {
   const char *name;
   maggi_road_type type;
   double point[3];
-  double slope;                 /* of MAGGI_ROAD_FLAT */
-  double amplitude, wavelength; /* of MAGGI_ROAD_SINE, m */
+  double slope;                                  /* of MAGGI_ROAD_FLAT */
+  double amplitude, wavelength;                  /* of MAGGI_ROAD_SINE, m */
+  double radius, height, first, spacing, fillet; /* of MAGGI_ROAD_BUMPS, m; fillet 0: sharp edges */
+  int number;                                    /* of bumps, or of points */
+  const double *x, *z;                           /* of MAGGI_ROAD_PROFILE, x rising, m */
 } maggi_road_def;
 
 /* A wheel with a tyre on a road: a rigid disc, contact where the steepest line from its centre down its
@@ -555,6 +567,12 @@ typedef struct maggi_function_def {
  * divides, so that the columns of lateral_acceleration are |a|, 0 and |(a_x, a_y)| there and those of
  * sideslip 0; |n|, an acceleration, is n.n / sqrt(n.n + low_acceleration^2).  So all have derivatives, and
  * are exact but for (low / what is measured)^2.
+ *   tyre_contact          NAME.deflection, NAME.loaded_radius, NAME.rolling_radius [m]: R0 - r,
+ *                         negative above the road; r; Re
+ *   tyre_slope            NAME.dfy_dalpha, NAME.dfx_dkappa [N/rad, N] at this slip and load, negative and
+ *                         positive while more slip still gives more force (PKY1 < 0);
+ *                         NAME.utilisation [-]: sqrt((Fx / Dx)^2 + (Fy / Dy)^2), D the peaks of pure
+ *                         slip at this load and camber.  All 0 in the air
  *
  * at_cog: the point is the centre of gravity of the body as its `cog` says, or the middle of its bar;
  * then `point` is no parameter.
@@ -580,6 +598,8 @@ typedef enum maggi_sensor_type {
   MAGGI_SENSOR_LEVEL_ACCELERATION,
   MAGGI_SENSOR_BODY_ACCELERATION,
   MAGGI_SENSOR_COMBINATION,
+  MAGGI_SENSOR_TYRE_CONTACT,
+  MAGGI_SENSOR_TYRE_SLOPE,
   MAGGI_SENSOR_TYPE_COUNT
 } maggi_sensor_type;
 
@@ -719,6 +739,26 @@ void maggi_model_free(maggi_model *model);
  */
 maggi_status maggi_model_load(const char *path, maggi_model **model, char *message,
                               size_t nmessage);
+
+/* Read the property file (.tir) of a tyre, as model files name it.
+ *
+ * out   def       its numbers; name NULL
+ *       message   one line, as of maggi_model_load                            (nmessage chars)
+ * status          MAGGI_OK, MAGGI_E_MEMORY, MAGGI_E_FILE, MAGGI_E_MODEL
+ * since           0.6; only in builds with MAGGI_WITH_YAML
+ */
+maggi_status maggi_tyre_load(const char *path, maggi_tyre_def *def, char *message, size_t nmessage);
+
+/* The formula of a tyre by itself, as wheels use it.
+ *
+ * in    side    of the vehicle: mirrored when it is not def->side
+ *       slip    kappa [-], alpha [rad], gamma [rad], Fz [N], Vx [m/s]
+ * out   force   Fx, Fy, Fz [N], Mx, My, Mz [N m]; all 0 where Fz is not positive
+ *       slope   dFy/dalpha [N/rad], dFx/dkappa [N], utilisation [-] as of a sensor tyre_slope, or NULL
+ * since         0.6
+ */
+void maggi_tyre_forces(const maggi_tyre_def *def, maggi_side side, const double slip[5],
+                       double force[6], double slope[3]);
 
 /* The multiple four-bar mechanism of [1] 4.6.2, ny four-bars side by side in each of nz rows, with
  * z_1'(0) = pi/3 rad/s on the first vertical bar.  (2*ny + 1)*nz bars of 1 m and 1 kg in the yz

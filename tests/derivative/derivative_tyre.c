@@ -1,0 +1,104 @@
+/* Wheels: derivatives by each number alone, against complex step, of slips, forces and slopes: by every
+ * number of the tyre, of the road and of what the slip follows from.  Along random directions, as in
+ * derivative_heads.c, small numbers hide behind large ones. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "call.h"
+#include "fixture.h"
+
+/* of an output; a wrench at P is a sum of larger ones, so all six numbers count */
+static double size_of(const call *c, int j, int m)
+{
+  double size = 0.0;
+  int k;
+
+  if (strcmp(c->head->arg[j].name, "F") != 0) return fabs(c->y.of[j][m]);
+  for (k = 0; k < 6; ++k) size = fmax(size, fabs(c->y.of[j][m / 6 * 6 + k]));
+  return size;
+}
+
+/* Largest error of the derivatives by number k of argument i, each relative to itself, to its output, and
+ * to how much it depends on the last digits of the arguments (arguments_distance): s is c, shaken. */
+static double error_of(const call *c, const call *s, int i, int k)
+{
+  arguments xd = arguments_create(c, 1), yd = arguments_create(c, 1), y = arguments_create(c, 1);
+  arguments right = arguments_create(c, 1), shaken = arguments_create(c, 1);
+  double worst = 0.0, size, scale = fabs(c->x.of[i][k]) + 1.0;
+  int j, m;
+
+  xd.of[i][k] = 1.0;
+  call_tangent(c, &xd, &yd);
+  call_tangent(s, &xd, &shaken);
+  call_complex_tangent(c, &xd, &y, &right);
+  for (j = 0; j < c->head->narg; ++j) {
+    for (m = 0; call_is_output(c, j) && m < call_size(c, j); ++m) {
+      size = fabs(right.of[j][m]) + (size_of(c, j, m) + 1.0) / scale +
+             0.1 / CALL_TREMOR * fabs(shaken.of[j][m] - yd.of[j][m]);
+      if (!(fabs(yd.of[j][m] - right.of[j][m]) <= worst * size))
+        worst = fabs(yd.of[j][m] - right.of[j][m]) / size;
+    }
+  }
+  arguments_free(c, &xd);
+  arguments_free(c, &yd);
+  arguments_free(c, &y);
+  arguments_free(c, &right);
+  arguments_free(c, &shaken);
+  return worst;
+}
+
+static int head_of(const char *name)
+{
+  int i;
+
+  for (i = 0; i < maggi_nhead; ++i)
+    if (strcmp(maggi_heads[i].name, name) == 0) return i;
+  abort();
+}
+
+/* by every number of the arguments with one of these names */
+static void check_head(const maggi_data *d, const char *head, const char *const names[])
+{
+  int index = head_of(head), i, j, k;
+  inputs in;
+  call c, shaken;
+
+  inputs_real(&in, d);
+  CHECK(call_create(&c, &maggi_heads[index], index, &in, 1));
+  shaken = call_shaken(&c);
+  for (i = 0; i < c.head->narg; ++i) {
+    for (j = 0; names[j] && strcmp(names[j], c.head->arg[i].name) != 0; ++j) continue;
+    for (k = 0; names[j] && k < call_size(&c, i); ++k)
+      if (!CHECK_NEAR(error_of(&c, &shaken, i, k), 0.0, 0.0, 1e-12))
+        fprintf(stderr, "%s: %s %d\n", head, names[j], k);
+  }
+  call_free(&shaken);
+  call_free(&c);
+  inputs_free(&in);
+}
+
+static void check_model(const char *file)
+{
+  static const char *const wheels[] = {"p", "A", "Z", "r", "rv", NULL};
+  static const char *const sensors[] = {"p", "slip", "grip", NULL};
+  maggi_model *m = test_file(file);
+  maggi_data *d = test_start(m);
+  int n;
+
+  for (n = 0; n < 3; ++n) {
+    maggi_results(d);
+    check_head(d, "maggi_wheel_forces", wheels);
+    check_head(d, "maggi_sensors", sensors);
+    test_step(d, 1e-3, 200);
+  }
+  test_free(d, m);
+}
+
+int main(void)
+{
+  check_model("wheeled-frame.yaml");
+  check_model("wheeled-frame-waves.yaml");
+  check_model("wheeled-frame-obstacles.yaml");
+  return check_done();
+}
