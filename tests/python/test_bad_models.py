@@ -430,6 +430,20 @@ ROWS = [
         "t1 is not after t0",
     ),
     Row(
+        "ramp backwards",
+        "type: sine\n    amplitude: 1\n    omega: 2",
+        "type: ramp\n    t0: 1\n    t1: 0\n    rate: 1",
+        "t1: 0",
+        "t1 is not after t0",
+    ),
+    Row(
+        "ramp without a rate",
+        "type: sine\n    amplitude: 1\n    omega: 2",
+        "type: ramp\n    t0: 1\n    t1: 2",
+        "- name: turn",
+        '"rate" is missing',
+    ),
+    Row(
         "key of another function",
         "omega: 2",
         "omega: 2\n    times: [0, 1]",
