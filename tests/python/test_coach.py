@@ -313,6 +313,19 @@ def test_jacobian(coach):
     assert (summary["coordinates"], summary["colours"], summary["nonzeros"]) == (33, 62, 1102)
 
 
+def test_variants(coach):
+    """What made the readings of models/coach/README.md the others' better."""
+    rows, literal, _ = simulate(coach, "double-lane-change-literal", every=50)
+    assert numpy.max(rows["bodywork.y"]) == pytest.approx(0.64, abs=0.005)
+    assert numpy.max(numpy.abs(rows["lateral.planar"])) / G == pytest.approx(0.026, abs=5e-4)
+    assert literal["DLC1"] == pytest.approx(0.0054, abs=1e-4)
+    _, soft, _ = simulate(coach, "double-lane-change-soft", every=1000)
+    assert soft["DLC1"] == pytest.approx(0.057, abs=5e-4)
+    assert soft["DLC1_front"] == pytest.approx(0.070, abs=5e-4)
+    rows, _, _ = simulate(coach, "coach-levelled", "--time", "0.001")
+    assert abs(rows["R_CHASSIS.1.q"][0]) < 0.01 and abs(rows["R_CHASSIS.5.q"][0]) < 1e-3
+
+
 def test_every_model_runs(coach):
     models = json.loads(done(coach, "models", "--json"))["models"]
     names = [model["name"] for model in models if model["name"].startswith("coach")]
