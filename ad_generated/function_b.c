@@ -136,16 +136,18 @@ void maggi_functions_b(const maggi_topo *t, const double p[restrict t->np],
                        double fun[restrict t->nfun][3], double funb[restrict t->nfun][3])
 {
   int i, is_k2, is_k2_2, is_k2_3, is_k2_4, k, k2, k3;
-  double a, ab, c, c2, c2b, cb, e, eb, f0b, f1b, f2b, h, h2, h2b, h3, h3_2, h3_2b, h3_3, h3_3b, h3b,
-      hb, moves, p_i, p_i1, p_i1b, p_i2, p_i2_2, p_i2_2b, p_i2b, p_i3, p_i3_2, p_i3_2b, p_i3b, p_i4,
-      p_i4b, p_ib, p_ii, p_ii1, p_ii1b, p_iib, p_iii1, p_iii1b, p_iik2, p_iik21, p_iik21b, p_iik2b,
-      p_iik3, p_iik3b, p_ik2, p_ik2b, p_ik3, p_ik31, p_ik31b, p_ik3b, p_ikb, s, sb, slope, slope2,
-      slope2b, slopeb, spline0_ik30, spline0_ik30b, spline0_ik310, spline0_ik310b, t10, t10b, t11,
-      t11b, t12, t12b, t13, t13b, t14, t14b, t15, t15b, t16, t16b, t17, t17b, t18, t18b, t19, t19b,
-      t2, t20, t20b, t3, t4, t5, t5b, t6, t6b, t7, t7b, t8, t8b, t9, t9b, tb10, tb11, tb12, tb13,
-      tb14, tb15, tb16, tb17, tb18, tb19, tb2, tb20, tb21, tb22, tb23, tb24, tb25, tb26, tb27, tb28,
-      tb29, tb3, tb30, tb31, tb32, tb33, tb34, tb35, tb36, tb37, tb38, tb39, tb4, tb40, tb41, tb42,
-      tb43, tb44, tb45, tb46, tb47, tb5, tb6, tb7, tb8, tb9, x, x2, x2b, xb;
+  double a, ab, c, c2, c2b, cb, e, eb, f0b, f1b, f2b, h, h2, h2b, h3, h3b, h4, h4_2, h4_2b, h4_3,
+      h4_3b, h4b, hb, moves, p_i, p_i1, p_i1b, p_i2, p_i2_2, p_i2_2b, p_i2b, p_i3, p_i3_2, p_i3_2b,
+      p_i3_3, p_i3_3b, p_i3_4, p_i3_4b, p_i3b, p_i4, p_i4b, p_i5, p_i5b, p_ib, p_ii, p_ii1, p_ii1b,
+      p_iib, p_iii1, p_iii1b, p_iik2, p_iik21, p_iik21b, p_iik2b, p_iik3, p_iik3b, p_ik2, p_ik2b,
+      p_ik3, p_ik31, p_ik31b, p_ik3b, p_ikb, s, sb, slope, slope2, slope2b, slopeb, spline0_ik30,
+      spline0_ik30b, spline0_ik310, spline0_ik310b, t10, t10b, t11, t11b, t12, t12b, t13, t13b, t14,
+      t14b, t15, t15b, t16, t16b, t17, t17b, t18, t18b, t19, t19b, t2, t20, t20b, t21, t21b, t3, t4,
+      t5, t5b, t6, t6b, t7, t7b, t8, t8b, t9, t9b, tb10, tb11, tb12, tb13, tb14, tb15, tb16, tb17,
+      tb18, tb19, tb2, tb20, tb21, tb22, tb23, tb24, tb25, tb26, tb27, tb28, tb29, tb3, tb30, tb31,
+      tb32, tb33, tb34, tb35, tb36, tb37, tb38, tb39, tb4, tb40, tb41, tb42, tb43, tb44, tb45, tb46,
+      tb47, tb48, tb49, tb5, tb50, tb51, tb52, tb53, tb54, tb55, tb56, tb57, tb58, tb59, tb6, tb60,
+      tb61, tb62, tb63, tb64, tb7, tb8, tb9, x, x2, x2b, x3, x3b, xb;
 
   (void)fun;
   t4 = 0.0;
@@ -368,42 +370,117 @@ void maggi_functions_b(const maggi_topo *t, const double p[restrict t->np],
           pb[t->funadr[i] + k2] += p_ik2b;
         }
       }
+    } else if (t->funkind[i] == MAGGI_FUNCTION_RAMP) {
+      p_i4 = p[t->funadr[i]];
+      h3 = p[t->funadr[i] + 1] - p_i4;
+      x3 = (time - p_i4) / h3;
+      h3b = 0.0;
+      x3b = 0.0;
+      if (MAGGI_RE(time) <= MAGGI_RE(p[t->funadr[i]])) {
+        f2b = 0.0;
+        f1b = 0.0;
+        pb[t->funadr[i] + 2] += f0b;
+        f0b = 0.0;
+      } else if (MAGGI_RE(time) >= MAGGI_RE(p[t->funadr[i] + 1])) {
+        p_i3_3 = p[t->funadr[i] + 3];
+        f2b = 0.0;
+        p_i3_3b = f1b;
+        f1b = 0.0;
+        pb[t->funadr[i] + 2] += f0b;
+        p_i3_3b += f0b * (time - 0.5 * (p[t->funadr[i]] + p[t->funadr[i] + 1]));
+        tb32 = f0b * p_i3_3;
+        tb33 = tb32 * 0.5;
+        pb[t->funadr[i]] -= tb33;
+        pb[t->funadr[i] + 1] -= tb33;
+        f0b = 0.0;
+        pb[t->funadr[i] + 3] += p_i3_3b;
+      } else {
+        p_i3_4 = p[t->funadr[i] + 3];
+        t13 = p_i3_4 / h3;
+        tb45 = f2b * (1.0 + x3 * (-2.0 + x3));
+        tb46 = tb45 * x3;
+        t13b = tb46 * x3 * 30.0;
+        x3b += tb46 * (t13 * 30.0);
+        x3b += tb45 * (t13 * 30.0 * x3);
+        tb47 = f2b * (t13 * 30.0 * x3 * x3);
+        x3b += tb47 * (-2.0 + x3);
+        x3b += tb47 * x3;
+        f2b = 0.0;
+        tb44 = t13b / h3;
+        p_i3_4b = tb44;
+        h3b -= tb44 * t13;
+        tb40 = f1b * (10.0 + x3 * (-15.0 + 6.0 * x3));
+        tb41 = tb40 * x3;
+        tb42 = tb41 * x3;
+        p_i3_4b += tb42 * x3;
+        x3b += tb42 * p_i3_4;
+        x3b += tb41 * (p_i3_4 * x3);
+        x3b += tb40 * (p_i3_4 * x3 * x3);
+        tb43 = f1b * (p_i3_4 * x3 * x3 * x3);
+        x3b += tb43 * (-15.0 + 6.0 * x3);
+        x3b += tb43 * x3 * 6.0;
+        f1b = 0.0;
+        pb[t->funadr[i] + 2] += f0b;
+        tb34 = f0b * (2.5 + x3 * (-3.0 + x3));
+        tb35 = tb34 * x3;
+        tb36 = tb35 * x3;
+        tb37 = tb36 * x3;
+        tb38 = tb37 * x3;
+        p_i3_4b += tb38 * h3;
+        h3b += tb38 * p_i3_4;
+        x3b += tb37 * (p_i3_4 * h3);
+        x3b += tb36 * (p_i3_4 * h3 * x3);
+        x3b += tb35 * (p_i3_4 * h3 * x3 * x3);
+        x3b += tb34 * (p_i3_4 * h3 * x3 * x3 * x3);
+        tb39 = f0b * (p_i3_4 * h3 * x3 * x3 * x3 * x3);
+        x3b += tb39 * (-3.0 + x3);
+        x3b += tb39 * x3;
+        f0b = 0.0;
+        pb[t->funadr[i] + 3] += p_i3_4b;
+      }
+      tb31 = x3b / h3;
+      p_i4b = -tb31;
+      h3b -= tb31 * x3;
+      /* y0, then its rate rises as a quintic step, h x^4 (5/2 - 3 x + x^2), then it is straight */
+      pb[t->funadr[i] + 1] += h3b;
+      p_i4b -= h3b;
+      pb[t->funadr[i]] += p_i4b;
     } else {
       k3 = maggi_piece(t->np, p, t->funadr[i], t->funn[i], time);
       if (k3 < 0) {
-        p_i4 = p[t->funadr[i]];
-        h3 = p[t->funadr[i] + 1] - p_i4;
+        p_i5 = p[t->funadr[i]];
+        h4 = p[t->funadr[i] + 1] - p_i5;
         p_ii = p[t->funadr[i] + t->funn[i]];
-        t13 = (p[t->funadr[i] + t->funn[i] + 1] - p_ii) / h3;
-        slope = t13 - h3 / 6.0 * (2.0 * spline0[t->funspline[i]][0] + spline0[t->funspline[i] +
+        t14 = (p[t->funadr[i] + t->funn[i] + 1] - p_ii) / h4;
+        slope = t14 - h4 / 6.0 * (2.0 * spline0[t->funspline[i]][0] + spline0[t->funspline[i] +
             1][0]);
         f2b = 0.0;
         slopeb = f1b;
         f1b = 0.0;
         p_iib = f0b;
-        slopeb += f0b * (time - p_i4);
-        p_i4b = -(f0b * slope);
+        slopeb += f0b * (time - p_i5);
+        p_i5b = -(f0b * slope);
         f0b = 0.0;
-        t13b = slopeb;
-        h3b = -(slopeb * (2.0 * spline0[t->funspline[i]][0] + spline0[t->funspline[i] + 1][0]) /
+        t14b = slopeb;
+        h4b = -(slopeb * (2.0 * spline0[t->funspline[i]][0] + spline0[t->funspline[i] + 1][0]) /
             6.0);
-        tb32 = slopeb * (h3 / 6.0);
-        spline0b[t->funspline[i]][0] -= tb32 * 2.0;
-        spline0b[t->funspline[i] + 1][0] -= tb32;
-        tb31 = t13b / h3;
-        pb[t->funadr[i] + t->funn[i] + 1] += tb31;
-        p_iib -= tb31;
-        h3b -= tb31 * t13;
+        tb49 = slopeb * (h4 / 6.0);
+        spline0b[t->funspline[i]][0] -= tb49 * 2.0;
+        spline0b[t->funspline[i] + 1][0] -= tb49;
+        tb48 = t14b / h4;
+        pb[t->funadr[i] + t->funn[i] + 1] += tb48;
+        p_iib -= tb48;
+        h4b -= tb48 * t14;
         pb[t->funadr[i] + t->funn[i]] += p_iib;
-        pb[t->funadr[i] + 1] += h3b;
-        p_i4b -= h3b;
-        pb[t->funadr[i]] += p_i4b;
+        pb[t->funadr[i] + 1] += h4b;
+        p_i5b -= h4b;
+        pb[t->funadr[i]] += p_i5b;
       } else if (k3 > t->funn[i] - 2) {
         p_ii1 = p[t->funadr[i] + t->funn[i] - 1];
-        h3_2 = p_ii1 - p[t->funadr[i] + t->funn[i] - 2];
+        h4_2 = p_ii1 - p[t->funadr[i] + t->funn[i] - 2];
         p_iii1 = p[t->funadr[i] + t->funn[i] + t->funn[i] - 1];
-        t14 = (p_iii1 - p[t->funadr[i] + t->funn[i] + t->funn[i] - 2]) / h3_2;
-        slope2 = t14 + h3_2 / 6.0 * (spline0[t->funspline[i] + t->funn[i] - 2][0] + 2.0 *
+        t15 = (p_iii1 - p[t->funadr[i] + t->funn[i] + t->funn[i] - 2]) / h4_2;
+        slope2 = t15 + h4_2 / 6.0 * (spline0[t->funspline[i] + t->funn[i] - 2][0] + 2.0 *
             spline0[t->funspline[i] + t->funn[i] - 1][0]);
         f2b = 0.0;
         slope2b = f1b;
@@ -412,99 +489,99 @@ void maggi_functions_b(const maggi_topo *t, const double p[restrict t->np],
         slope2b += f0b * (time - p_ii1);
         p_ii1b = -(f0b * slope2);
         f0b = 0.0;
-        t14b = slope2b;
-        h3_2b = slope2b * (spline0[t->funspline[i] + t->funn[i] - 2][0] + 2.0 *
+        t15b = slope2b;
+        h4_2b = slope2b * (spline0[t->funspline[i] + t->funn[i] - 2][0] + 2.0 *
             spline0[t->funspline[i] + t->funn[i] - 1][0]) / 6.0;
-        tb34 = slope2b * (h3_2 / 6.0);
-        spline0b[t->funspline[i] + t->funn[i] - 2][0] += tb34;
-        spline0b[t->funspline[i] + t->funn[i] - 1][0] += tb34 * 2.0;
-        tb33 = t14b / h3_2;
-        p_iii1b += tb33;
-        pb[t->funadr[i] + t->funn[i] + t->funn[i] - 2] -= tb33;
-        h3_2b -= tb33 * t14;
+        tb51 = slope2b * (h4_2 / 6.0);
+        spline0b[t->funspline[i] + t->funn[i] - 2][0] += tb51;
+        spline0b[t->funspline[i] + t->funn[i] - 1][0] += tb51 * 2.0;
+        tb50 = t15b / h4_2;
+        p_iii1b += tb50;
+        pb[t->funadr[i] + t->funn[i] + t->funn[i] - 2] -= tb50;
+        h4_2b -= tb50 * t15;
         pb[t->funadr[i] + t->funn[i] + t->funn[i] - 1] += p_iii1b;
-        p_ii1b += h3_2b;
-        pb[t->funadr[i] + t->funn[i] - 2] -= h3_2b;
+        p_ii1b += h4_2b;
+        pb[t->funadr[i] + t->funn[i] - 2] -= h4_2b;
         pb[t->funadr[i] + t->funn[i] - 1] += p_ii1b;
       } else {
         p_ik31 = p[t->funadr[i] + k3 + 1];
         p_ik3 = p[t->funadr[i] + k3];
-        h3_3 = p_ik31 - p_ik3;
+        h4_3 = p_ik31 - p_ik3;
         a = p_ik31 - time;
         c2 = time - p_ik3;
         p_iik3 = p[t->funadr[i] + t->funn[i] + k3];
-        t15 = (p[t->funadr[i] + t->funn[i] + k3 + 1] - p_iik3) / h3_3;
+        t16 = (p[t->funadr[i] + t->funn[i] + k3 + 1] - p_iik3) / h4_3;
         spline0_ik310 = spline0[t->funspline[i] + k3 + 1][0];
         spline0_ik30 = spline0[t->funspline[i] + k3][0];
-        e = t15 - h3_3 / 6.0 * (spline0_ik310 - spline0_ik30);
-        t16 = 6.0 * h3_3;
-        t17 = (spline0_ik30 * a * a * a + spline0_ik310 * c2 * c2 * c2) / t16;
-        t18 = 2.0 * h3_3;
-        t19 = (spline0_ik310 * c2 * c2 - spline0_ik30 * a * a) / t18;
-        t20 = (spline0_ik30 * a + spline0_ik310 * c2) / h3_3;
-        t20b = f2b;
+        e = t16 - h4_3 / 6.0 * (spline0_ik310 - spline0_ik30);
+        t17 = 6.0 * h4_3;
+        t18 = (spline0_ik30 * a * a * a + spline0_ik310 * c2 * c2 * c2) / t17;
+        t19 = 2.0 * h4_3;
+        t20 = (spline0_ik310 * c2 * c2 - spline0_ik30 * a * a) / t19;
+        t21 = (spline0_ik30 * a + spline0_ik310 * c2) / h4_3;
+        t21b = f2b;
         f2b = 0.0;
-        tb47 = t20b / h3_3;
-        spline0_ik30b = tb47 * a;
-        ab = tb47 * spline0_ik30;
-        spline0_ik310b = tb47 * c2;
-        c2b = tb47 * spline0_ik310;
-        h3_3b = -(tb47 * t20);
-        t19b = f1b;
+        tb64 = t21b / h4_3;
+        spline0_ik30b = tb64 * a;
+        ab = tb64 * spline0_ik30;
+        spline0_ik310b = tb64 * c2;
+        c2b = tb64 * spline0_ik310;
+        h4_3b = -(tb64 * t21);
+        t20b = f1b;
         eb = f1b;
         f1b = 0.0;
-        tb44 = t19b / t18;
-        tb45 = tb44 * c2;
-        spline0_ik310b += tb45 * c2;
-        c2b += tb45 * spline0_ik310;
-        c2b += tb44 * (spline0_ik310 * c2);
-        tb46 = tb44 * a;
-        spline0_ik30b -= tb46 * a;
-        ab -= tb46 * spline0_ik30;
-        ab -= tb44 * (spline0_ik30 * a);
-        t18b = -(tb44 * t19);
-        h3_3b += t18b * 2.0;
-        t17b = f0b;
+        tb61 = t20b / t19;
+        tb62 = tb61 * c2;
+        spline0_ik310b += tb62 * c2;
+        c2b += tb62 * spline0_ik310;
+        c2b += tb61 * (spline0_ik310 * c2);
+        tb63 = tb61 * a;
+        spline0_ik30b -= tb63 * a;
+        ab -= tb63 * spline0_ik30;
+        ab -= tb61 * (spline0_ik30 * a);
+        t19b = -(tb61 * t20);
+        h4_3b += t19b * 2.0;
+        t18b = f0b;
         p_iik3b = f0b;
-        tb42 = f0b / 6.0;
-        tb43 = tb42 * h3_3;
-        spline0_ik30b -= tb43 * h3_3;
-        h3_3b -= tb43 * spline0_ik30;
-        h3_3b -= tb42 * (spline0_ik30 * h3_3);
+        tb59 = f0b / 6.0;
+        tb60 = tb59 * h4_3;
+        spline0_ik30b -= tb60 * h4_3;
+        h4_3b -= tb60 * spline0_ik30;
+        h4_3b -= tb59 * (spline0_ik30 * h4_3);
         eb += f0b * c2;
         c2b += f0b * e;
         f0b = 0.0;
-        tb37 = t17b / t16;
-        tb38 = tb37 * a;
-        tb39 = tb38 * a;
-        spline0_ik30b += tb39 * a;
-        ab += tb39 * spline0_ik30;
-        ab += tb38 * (spline0_ik30 * a);
-        ab += tb37 * (spline0_ik30 * a * a);
-        tb40 = tb37 * c2;
-        tb41 = tb40 * c2;
-        spline0_ik310b += tb41 * c2;
-        c2b += tb41 * spline0_ik310;
-        c2b += tb40 * (spline0_ik310 * c2);
-        c2b += tb37 * (spline0_ik310 * c2 * c2);
-        t16b = -(tb37 * t17);
-        h3_3b += t16b * 6.0;
-        t15b = eb;
-        h3_3b -= eb * (spline0_ik310 - spline0_ik30) / 6.0;
-        tb36 = eb * (h3_3 / 6.0);
-        spline0_ik310b -= tb36;
-        spline0_ik30b += tb36;
+        tb54 = t18b / t17;
+        tb55 = tb54 * a;
+        tb56 = tb55 * a;
+        spline0_ik30b += tb56 * a;
+        ab += tb56 * spline0_ik30;
+        ab += tb55 * (spline0_ik30 * a);
+        ab += tb54 * (spline0_ik30 * a * a);
+        tb57 = tb54 * c2;
+        tb58 = tb57 * c2;
+        spline0_ik310b += tb58 * c2;
+        c2b += tb58 * spline0_ik310;
+        c2b += tb57 * (spline0_ik310 * c2);
+        c2b += tb54 * (spline0_ik310 * c2 * c2);
+        t17b = -(tb54 * t18);
+        h4_3b += t17b * 6.0;
+        t16b = eb;
+        h4_3b -= eb * (spline0_ik310 - spline0_ik30) / 6.0;
+        tb53 = eb * (h4_3 / 6.0);
+        spline0_ik310b -= tb53;
+        spline0_ik30b += tb53;
         spline0b[t->funspline[i] + k3][0] += spline0_ik30b;
         spline0b[t->funspline[i] + k3 + 1][0] += spline0_ik310b;
-        tb35 = t15b / h3_3;
-        pb[t->funadr[i] + t->funn[i] + k3 + 1] += tb35;
-        p_iik3b -= tb35;
-        h3_3b -= tb35 * t15;
+        tb52 = t16b / h4_3;
+        pb[t->funadr[i] + t->funn[i] + k3 + 1] += tb52;
+        p_iik3b -= tb52;
+        h4_3b -= tb52 * t16;
         pb[t->funadr[i] + t->funn[i] + k3] += p_iik3b;
         p_ik3b = -c2b;
         p_ik31b = ab;
-        p_ik31b += h3_3b;
-        p_ik3b -= h3_3b;
+        p_ik31b += h4_3b;
+        p_ik3b -= h4_3b;
         pb[t->funadr[i] + k3] += p_ik3b;
         pb[t->funadr[i] + k3 + 1] += p_ik31b;
       }

@@ -259,27 +259,31 @@ void maggi_functions_b_d(const maggi_topo *t, const double p[restrict t->np],
 {
   int i, is_k2, is_k2_2, is_k2_3, is_k2_4, k, k2, k3;
   double a, ab, abd, ad, c, c2, c2b, c2bd, c2d, cb, cbd, cd, e, eb, ebd, ed, f0b, f0bd, f1b, f1bd,
-      f2b, f2bd, h, h2, h2b, h2bd, h2d, h3, h3_2, h3_2b, h3_2bd, h3_2d, h3_3, h3_3b, h3_3bd, h3_3d,
-      h3b, h3bd, h3d, hb, hbd, hd, moves, p_i, p_i1, p_i1b, p_i1bd, p_i1d, p_i2, p_i2_2, p_i2_2b,
-      p_i2_2bd, p_i2_2d, p_i2b, p_i2bd, p_i2d, p_i3, p_i3_2, p_i3_2b, p_i3_2bd, p_i3_2d, p_i3b,
-      p_i3bd, p_i3d, p_i4, p_i4b, p_i4bd, p_i4d, p_ib, p_ibd, p_id, p_ii, p_ii1, p_ii1b, p_ii1bd,
-      p_ii1d, p_iib, p_iibd, p_iid, p_iii1, p_iii1b, p_iii1bd, p_iii1d, p_iik2, p_iik21, p_iik21b,
-      p_iik21bd, p_iik21d, p_iik2b, p_iik2bd, p_iik2d, p_iik3, p_iik3b, p_iik3bd, p_iik3d, p_ik2,
-      p_ik2b, p_ik2bd, p_ik2d, p_ik3, p_ik31, p_ik31b, p_ik31bd, p_ik31d, p_ik3b, p_ik3bd, p_ik3d,
-      p_ikb, p_ikbd, s, sb, sbd, sd, slope, slope2, slope2b, slope2bd, slope2d, slopeb, slopebd,
-      sloped, spline0_ik30, spline0_ik30b, spline0_ik30bd, spline0_ik30d, spline0_ik310,
-      spline0_ik310b, spline0_ik310bd, spline0_ik310d, t10, t10b, t10bd, t10d, t11, t11b, t11bd,
-      t11d, t12, t12b, t12bd, t12d, t13, t13b, t13bd, t13d, t14, t14b, t14bd, t14d, t15, t15b,
-      t15bd, t15d, t16, t16b, t16bd, t16d, t17, t17b, t17bd, t17d, t18, t18b, t18bd, t18d, t19,
-      t19b, t19bd, t19d, t2, t20, t20b, t20bd, t20d, t3, t4, t5, t5b, t5bd, t5d, t6, t6b, t6bd, t6d,
-      t7, t7b, t7bd, t7d, t8, t8b, t8bd, t8d, t9, t9b, t9bd, t9d, tb10, tb10d, tb11, tb11d, tb12,
-      tb12d, tb13, tb13d, tb14, tb14d, tb15, tb15d, tb16, tb16d, tb17, tb17d, tb18, tb18d, tb19,
-      tb19d, tb2, tb20, tb20d, tb21, tb21d, tb22, tb22d, tb23, tb23d, tb24, tb24d, tb25, tb25d,
-      tb26, tb26d, tb27, tb27d, tb28, tb28d, tb29, tb29d, tb2d, tb3, tb30, tb30d, tb31, tb31d, tb32,
-      tb32d, tb33, tb33d, tb34, tb34d, tb35, tb35d, tb36, tb36d, tb37, tb37d, tb38, tb38d, tb39,
-      tb39d, tb3d, tb4, tb40, tb40d, tb41, tb41d, tb42, tb42d, tb43, tb43d, tb44, tb44d, tb45,
-      tb45d, tb46, tb46d, tb47, tb47d, tb4d, tb5, tb5d, tb6, tb6d, tb7, tb7d, tb8, tb8d, tb9, tb9d,
-      x, x2, x2b, x2bd, x2d, xb, xbd, xd;
+      f2b, f2bd, h, h2, h2b, h2bd, h2d, h3, h3b, h3bd, h3d, h4, h4_2, h4_2b, h4_2bd, h4_2d, h4_3,
+      h4_3b, h4_3bd, h4_3d, h4b, h4bd, h4d, hb, hbd, hd, moves, p_i, p_i1, p_i1b, p_i1bd, p_i1d,
+      p_i2, p_i2_2, p_i2_2b, p_i2_2bd, p_i2_2d, p_i2b, p_i2bd, p_i2d, p_i3, p_i3_2, p_i3_2b,
+      p_i3_2bd, p_i3_2d, p_i3_3, p_i3_3b, p_i3_3bd, p_i3_3d, p_i3_4, p_i3_4b, p_i3_4bd, p_i3_4d,
+      p_i3b, p_i3bd, p_i3d, p_i4, p_i4b, p_i4bd, p_i4d, p_i5, p_i5b, p_i5bd, p_i5d, p_ib, p_ibd,
+      p_id, p_ii, p_ii1, p_ii1b, p_ii1bd, p_ii1d, p_iib, p_iibd, p_iid, p_iii1, p_iii1b, p_iii1bd,
+      p_iii1d, p_iik2, p_iik21, p_iik21b, p_iik21bd, p_iik21d, p_iik2b, p_iik2bd, p_iik2d, p_iik3,
+      p_iik3b, p_iik3bd, p_iik3d, p_ik2, p_ik2b, p_ik2bd, p_ik2d, p_ik3, p_ik31, p_ik31b, p_ik31bd,
+      p_ik31d, p_ik3b, p_ik3bd, p_ik3d, p_ikb, p_ikbd, s, sb, sbd, sd, slope, slope2, slope2b,
+      slope2bd, slope2d, slopeb, slopebd, sloped, spline0_ik30, spline0_ik30b, spline0_ik30bd,
+      spline0_ik30d, spline0_ik310, spline0_ik310b, spline0_ik310bd, spline0_ik310d, t10, t10b,
+      t10bd, t10d, t11, t11b, t11bd, t11d, t12, t12b, t12bd, t12d, t13, t13b, t13bd, t13d, t14,
+      t14b, t14bd, t14d, t15, t15b, t15bd, t15d, t16, t16b, t16bd, t16d, t17, t17b, t17bd, t17d,
+      t18, t18b, t18bd, t18d, t19, t19b, t19bd, t19d, t2, t20, t20b, t20bd, t20d, t21, t21b, t21bd,
+      t21d, t3, t4, t5, t5b, t5bd, t5d, t6, t6b, t6bd, t6d, t7, t7b, t7bd, t7d, t8, t8b, t8bd, t8d,
+      t9, t9b, t9bd, t9d, tb10, tb10d, tb11, tb11d, tb12, tb12d, tb13, tb13d, tb14, tb14d, tb15,
+      tb15d, tb16, tb16d, tb17, tb17d, tb18, tb18d, tb19, tb19d, tb2, tb20, tb20d, tb21, tb21d,
+      tb22, tb22d, tb23, tb23d, tb24, tb24d, tb25, tb25d, tb26, tb26d, tb27, tb27d, tb28, tb28d,
+      tb29, tb29d, tb2d, tb3, tb30, tb30d, tb31, tb31d, tb32, tb32d, tb33, tb33d, tb34, tb34d, tb35,
+      tb35d, tb36, tb36d, tb37, tb37d, tb38, tb38d, tb39, tb39d, tb3d, tb4, tb40, tb40d, tb41,
+      tb41d, tb42, tb42d, tb43, tb43d, tb44, tb44d, tb45, tb45d, tb46, tb46d, tb47, tb47d, tb48,
+      tb48d, tb49, tb49d, tb4d, tb5, tb50, tb50d, tb51, tb51d, tb52, tb52d, tb53, tb53d, tb54,
+      tb54d, tb55, tb55d, tb56, tb56d, tb57, tb57d, tb58, tb58d, tb59, tb59d, tb5d, tb6, tb60,
+      tb60d, tb61, tb61d, tb62, tb62d, tb63, tb63d, tb64, tb64d, tb6d, tb7, tb7d, tb8, tb8d, tb9,
+      tb9d, x, x2, x2b, x2bd, x2d, x3, x3b, x3bd, x3d, xb, xbd, xd;
 
   (void)fun;
   (void)fund;
@@ -695,21 +699,175 @@ void maggi_functions_b_d(const maggi_topo *t, const double p[restrict t->np],
           pbd[t->funadr[i] + k2] += p_ik2bd;
         }
       }
+    } else if (t->funkind[i] == MAGGI_FUNCTION_RAMP) {
+      p_i4 = p[t->funadr[i]];
+      p_i4d = pd[t->funadr[i]];
+      h3 = p[t->funadr[i] + 1] - p_i4;
+      h3d = pd[t->funadr[i] + 1] - p_i4d;
+      x3 = (time - p_i4) / h3;
+      x3d = (-p_i4d - x3 * h3d) * (1.0 / h3);
+      h3b = 0.0;
+      h3bd = 0.0;
+      x3b = 0.0;
+      x3bd = 0.0;
+      if (MAGGI_RE(time) <= MAGGI_RE(p[t->funadr[i]])) {
+        f2b = 0.0;
+        f2bd = 0.0;
+        f1b = 0.0;
+        f1bd = 0.0;
+        pb[t->funadr[i] + 2] += f0b;
+        pbd[t->funadr[i] + 2] += f0bd;
+        f0b = 0.0;
+        f0bd = 0.0;
+      } else if (MAGGI_RE(time) >= MAGGI_RE(p[t->funadr[i] + 1])) {
+        p_i3_3 = p[t->funadr[i] + 3];
+        p_i3_3d = pd[t->funadr[i] + 3];
+        f2b = 0.0;
+        f2bd = 0.0;
+        p_i3_3b = f1b;
+        p_i3_3bd = f1bd;
+        f1b = 0.0;
+        f1bd = 0.0;
+        pb[t->funadr[i] + 2] += f0b;
+        pbd[t->funadr[i] + 2] += f0bd;
+        p_i3_3b += f0b * (time - 0.5 * (p[t->funadr[i]] + p[t->funadr[i] + 1]));
+        p_i3_3bd += f0bd * (time - 0.5 * (p[t->funadr[i]] + p[t->funadr[i] + 1])) - f0b * (0.5 *
+            (pd[t->funadr[i]] + pd[t->funadr[i] + 1]));
+        tb32 = f0b * p_i3_3;
+        tb32d = f0bd * p_i3_3 + f0b * p_i3_3d;
+        tb33 = tb32 * 0.5;
+        tb33d = tb32d * 0.5;
+        pb[t->funadr[i]] -= tb33;
+        pbd[t->funadr[i]] -= tb33d;
+        pb[t->funadr[i] + 1] -= tb33;
+        pbd[t->funadr[i] + 1] -= tb33d;
+        f0b = 0.0;
+        f0bd = 0.0;
+        pb[t->funadr[i] + 3] += p_i3_3b;
+        pbd[t->funadr[i] + 3] += p_i3_3bd;
+      } else {
+        p_i3_4 = p[t->funadr[i] + 3];
+        p_i3_4d = pd[t->funadr[i] + 3];
+        t13 = p_i3_4 / h3;
+        t13d = (p_i3_4d - t13 * h3d) * (1.0 / h3);
+        tb45 = f2b * (1.0 + x3 * (-2.0 + x3));
+        tb45d = f2bd * (1.0 + x3 * (-2.0 + x3)) + f2b * (x3d * (-2.0 + x3) + x3 * x3d);
+        tb46 = tb45 * x3;
+        tb46d = tb45d * x3 + tb45 * x3d;
+        t13b = tb46 * x3 * 30.0;
+        t13bd = (tb46d * x3 + tb46 * x3d) * 30.0;
+        x3b += tb46 * (t13 * 30.0);
+        x3bd += tb46d * (t13 * 30.0) + tb46 * (t13d * 30.0);
+        x3b += tb45 * (t13 * 30.0 * x3);
+        x3bd += tb45d * (t13 * 30.0 * x3) + tb45 * (t13d * 30.0 * x3 + t13 * 30.0 * x3d);
+        tb47 = f2b * (t13 * 30.0 * x3 * x3);
+        tb47d = f2bd * (t13 * 30.0 * x3 * x3) + f2b * ((t13d * 30.0 * x3 + t13 * 30.0 * x3d) * x3 +
+            t13 * 30.0 * x3 * x3d);
+        x3b += tb47 * (-2.0 + x3);
+        x3bd += tb47d * (-2.0 + x3) + tb47 * x3d;
+        x3b += tb47 * x3;
+        x3bd += tb47d * x3 + tb47 * x3d;
+        f2b = 0.0;
+        f2bd = 0.0;
+        tb44 = t13b / h3;
+        tb44d = (t13bd - tb44 * h3d) * (1.0 / h3);
+        p_i3_4b = tb44;
+        p_i3_4bd = tb44d;
+        h3b -= tb44 * t13;
+        h3bd -= tb44d * t13 + tb44 * t13d;
+        tb40 = f1b * (10.0 + x3 * (-15.0 + 6.0 * x3));
+        tb40d = f1bd * (10.0 + x3 * (-15.0 + 6.0 * x3)) + f1b * (x3d * (-15.0 + 6.0 * x3) + x3 *
+            (6.0 * x3d));
+        tb41 = tb40 * x3;
+        tb41d = tb40d * x3 + tb40 * x3d;
+        tb42 = tb41 * x3;
+        tb42d = tb41d * x3 + tb41 * x3d;
+        p_i3_4b += tb42 * x3;
+        p_i3_4bd += tb42d * x3 + tb42 * x3d;
+        x3b += tb42 * p_i3_4;
+        x3bd += tb42d * p_i3_4 + tb42 * p_i3_4d;
+        x3b += tb41 * (p_i3_4 * x3);
+        x3bd += tb41d * (p_i3_4 * x3) + tb41 * (p_i3_4d * x3 + p_i3_4 * x3d);
+        x3b += tb40 * (p_i3_4 * x3 * x3);
+        x3bd += tb40d * (p_i3_4 * x3 * x3) + tb40 * ((p_i3_4d * x3 + p_i3_4 * x3d) * x3 + p_i3_4 *
+            x3 * x3d);
+        tb43 = f1b * (p_i3_4 * x3 * x3 * x3);
+        tb43d = f1bd * (p_i3_4 * x3 * x3 * x3) + f1b * (((p_i3_4d * x3 + p_i3_4 * x3d) * x3 + p_i3_4
+            * x3 * x3d) * x3 + p_i3_4 * x3 * x3 * x3d);
+        x3b += tb43 * (-15.0 + 6.0 * x3);
+        x3bd += tb43d * (-15.0 + 6.0 * x3) + tb43 * (6.0 * x3d);
+        x3b += tb43 * x3 * 6.0;
+        x3bd += (tb43d * x3 + tb43 * x3d) * 6.0;
+        f1b = 0.0;
+        f1bd = 0.0;
+        pb[t->funadr[i] + 2] += f0b;
+        pbd[t->funadr[i] + 2] += f0bd;
+        tb34 = f0b * (2.5 + x3 * (-3.0 + x3));
+        tb34d = f0bd * (2.5 + x3 * (-3.0 + x3)) + f0b * (x3d * (-3.0 + x3) + x3 * x3d);
+        tb35 = tb34 * x3;
+        tb35d = tb34d * x3 + tb34 * x3d;
+        tb36 = tb35 * x3;
+        tb36d = tb35d * x3 + tb35 * x3d;
+        tb37 = tb36 * x3;
+        tb37d = tb36d * x3 + tb36 * x3d;
+        tb38 = tb37 * x3;
+        tb38d = tb37d * x3 + tb37 * x3d;
+        p_i3_4b += tb38 * h3;
+        p_i3_4bd += tb38d * h3 + tb38 * h3d;
+        h3b += tb38 * p_i3_4;
+        h3bd += tb38d * p_i3_4 + tb38 * p_i3_4d;
+        x3b += tb37 * (p_i3_4 * h3);
+        x3bd += tb37d * (p_i3_4 * h3) + tb37 * (p_i3_4d * h3 + p_i3_4 * h3d);
+        x3b += tb36 * (p_i3_4 * h3 * x3);
+        x3bd += tb36d * (p_i3_4 * h3 * x3) + tb36 * ((p_i3_4d * h3 + p_i3_4 * h3d) * x3 + p_i3_4 *
+            h3 * x3d);
+        x3b += tb35 * (p_i3_4 * h3 * x3 * x3);
+        x3bd += tb35d * (p_i3_4 * h3 * x3 * x3) + tb35 * (((p_i3_4d * h3 + p_i3_4 * h3d) * x3 +
+            p_i3_4 * h3 * x3d) * x3 + p_i3_4 * h3 * x3 * x3d);
+        x3b += tb34 * (p_i3_4 * h3 * x3 * x3 * x3);
+        x3bd += tb34d * (p_i3_4 * h3 * x3 * x3 * x3) + tb34 * ((((p_i3_4d * h3 + p_i3_4 * h3d) * x3
+            + p_i3_4 * h3 * x3d) * x3 + p_i3_4 * h3 * x3 * x3d) * x3 + p_i3_4 * h3 * x3 * x3 * x3d);
+        tb39 = f0b * (p_i3_4 * h3 * x3 * x3 * x3 * x3);
+        tb39d = f0bd * (p_i3_4 * h3 * x3 * x3 * x3 * x3) + f0b * (((((p_i3_4d * h3 + p_i3_4 * h3d) *
+            x3 + p_i3_4 * h3 * x3d) * x3 + p_i3_4 * h3 * x3 * x3d) * x3 + p_i3_4 * h3 * x3 * x3 *
+            x3d) * x3 + p_i3_4 * h3 * x3 * x3 * x3 * x3d);
+        x3b += tb39 * (-3.0 + x3);
+        x3bd += tb39d * (-3.0 + x3) + tb39 * x3d;
+        x3b += tb39 * x3;
+        x3bd += tb39d * x3 + tb39 * x3d;
+        f0b = 0.0;
+        f0bd = 0.0;
+        pb[t->funadr[i] + 3] += p_i3_4b;
+        pbd[t->funadr[i] + 3] += p_i3_4bd;
+      }
+      tb31 = x3b / h3;
+      tb31d = (x3bd - tb31 * h3d) * (1.0 / h3);
+      p_i4b = -tb31;
+      p_i4bd = -tb31d;
+      h3b -= tb31 * x3;
+      h3bd -= tb31d * x3 + tb31 * x3d;
+      pb[t->funadr[i] + 1] += h3b;
+      /* y0, then its rate rises as a quintic step, h x^4 (5/2 - 3 x + x^2), then it is straight */
+      pbd[t->funadr[i] + 1] += h3bd;
+      p_i4b -= h3b;
+      p_i4bd -= h3bd;
+      pb[t->funadr[i]] += p_i4b;
+      pbd[t->funadr[i]] += p_i4bd;
     } else {
       k3 = maggi_piece(t->np, p, t->funadr[i], t->funn[i], time);
       if (k3 < 0) {
-        p_i4 = p[t->funadr[i]];
-        p_i4d = pd[t->funadr[i]];
-        h3 = p[t->funadr[i] + 1] - p_i4;
-        h3d = pd[t->funadr[i] + 1] - p_i4d;
+        p_i5 = p[t->funadr[i]];
+        p_i5d = pd[t->funadr[i]];
+        h4 = p[t->funadr[i] + 1] - p_i5;
+        h4d = pd[t->funadr[i] + 1] - p_i5d;
         p_ii = p[t->funadr[i] + t->funn[i]];
         p_iid = pd[t->funadr[i] + t->funn[i]];
-        t13 = (p[t->funadr[i] + t->funn[i] + 1] - p_ii) / h3;
-        t13d = (pd[t->funadr[i] + t->funn[i] + 1] - p_iid - t13 * h3d) * (1.0 / h3);
-        slope = t13 - h3 / 6.0 * (2.0 * spline0[t->funspline[i]][0] + spline0[t->funspline[i] +
+        t14 = (p[t->funadr[i] + t->funn[i] + 1] - p_ii) / h4;
+        t14d = (pd[t->funadr[i] + t->funn[i] + 1] - p_iid - t14 * h4d) * (1.0 / h4);
+        slope = t14 - h4 / 6.0 * (2.0 * spline0[t->funspline[i]][0] + spline0[t->funspline[i] +
             1][0]);
-        sloped = t13d - (h3d / 6.0 * (2.0 * spline0[t->funspline[i]][0] + spline0[t->funspline[i] +
-            1][0]) + h3 / 6.0 * (2.0 * spline0d[t->funspline[i]][0] + spline0d[t->funspline[i] +
+        sloped = t14d - (h4d / 6.0 * (2.0 * spline0[t->funspline[i]][0] + spline0[t->funspline[i] +
+            1][0]) + h4 / 6.0 * (2.0 * spline0d[t->funspline[i]][0] + spline0d[t->funspline[i] +
             1][0]));
         f2b = 0.0;
         f2bd = 0.0;
@@ -719,55 +877,55 @@ void maggi_functions_b_d(const maggi_topo *t, const double p[restrict t->np],
         f1bd = 0.0;
         p_iib = f0b;
         p_iibd = f0bd;
-        slopeb += f0b * (time - p_i4);
-        slopebd += f0bd * (time - p_i4) - f0b * p_i4d;
-        p_i4b = -(f0b * slope);
-        p_i4bd = -(f0bd * slope + f0b * sloped);
+        slopeb += f0b * (time - p_i5);
+        slopebd += f0bd * (time - p_i5) - f0b * p_i5d;
+        p_i5b = -(f0b * slope);
+        p_i5bd = -(f0bd * slope + f0b * sloped);
         f0b = 0.0;
         f0bd = 0.0;
-        t13b = slopeb;
-        t13bd = slopebd;
-        h3b = -(slopeb * (2.0 * spline0[t->funspline[i]][0] + spline0[t->funspline[i] + 1][0]) /
+        t14b = slopeb;
+        t14bd = slopebd;
+        h4b = -(slopeb * (2.0 * spline0[t->funspline[i]][0] + spline0[t->funspline[i] + 1][0]) /
             6.0);
-        h3bd = -((slopebd * (2.0 * spline0[t->funspline[i]][0] + spline0[t->funspline[i] + 1][0]) +
+        h4bd = -((slopebd * (2.0 * spline0[t->funspline[i]][0] + spline0[t->funspline[i] + 1][0]) +
             slopeb * (2.0 * spline0d[t->funspline[i]][0] + spline0d[t->funspline[i] + 1][0])) /
             6.0);
-        tb32 = slopeb * (h3 / 6.0);
-        tb32d = slopebd * (h3 / 6.0) + slopeb * (h3d / 6.0);
-        spline0b[t->funspline[i]][0] -= tb32 * 2.0;
-        spline0bd[t->funspline[i]][0] -= tb32d * 2.0;
-        spline0b[t->funspline[i] + 1][0] -= tb32;
-        spline0bd[t->funspline[i] + 1][0] -= tb32d;
-        tb31 = t13b / h3;
-        tb31d = (t13bd - tb31 * h3d) * (1.0 / h3);
-        pb[t->funadr[i] + t->funn[i] + 1] += tb31;
-        pbd[t->funadr[i] + t->funn[i] + 1] += tb31d;
-        p_iib -= tb31;
-        p_iibd -= tb31d;
-        h3b -= tb31 * t13;
-        h3bd -= tb31d * t13 + tb31 * t13d;
+        tb49 = slopeb * (h4 / 6.0);
+        tb49d = slopebd * (h4 / 6.0) + slopeb * (h4d / 6.0);
+        spline0b[t->funspline[i]][0] -= tb49 * 2.0;
+        spline0bd[t->funspline[i]][0] -= tb49d * 2.0;
+        spline0b[t->funspline[i] + 1][0] -= tb49;
+        spline0bd[t->funspline[i] + 1][0] -= tb49d;
+        tb48 = t14b / h4;
+        tb48d = (t14bd - tb48 * h4d) * (1.0 / h4);
+        pb[t->funadr[i] + t->funn[i] + 1] += tb48;
+        pbd[t->funadr[i] + t->funn[i] + 1] += tb48d;
+        p_iib -= tb48;
+        p_iibd -= tb48d;
+        h4b -= tb48 * t14;
+        h4bd -= tb48d * t14 + tb48 * t14d;
         pb[t->funadr[i] + t->funn[i]] += p_iib;
         pbd[t->funadr[i] + t->funn[i]] += p_iibd;
-        pb[t->funadr[i] + 1] += h3b;
-        pbd[t->funadr[i] + 1] += h3bd;
-        p_i4b -= h3b;
-        p_i4bd -= h3bd;
-        pb[t->funadr[i]] += p_i4b;
-        pbd[t->funadr[i]] += p_i4bd;
+        pb[t->funadr[i] + 1] += h4b;
+        pbd[t->funadr[i] + 1] += h4bd;
+        p_i5b -= h4b;
+        p_i5bd -= h4bd;
+        pb[t->funadr[i]] += p_i5b;
+        pbd[t->funadr[i]] += p_i5bd;
       } else if (k3 > t->funn[i] - 2) {
         p_ii1 = p[t->funadr[i] + t->funn[i] - 1];
         p_ii1d = pd[t->funadr[i] + t->funn[i] - 1];
-        h3_2 = p_ii1 - p[t->funadr[i] + t->funn[i] - 2];
-        h3_2d = p_ii1d - pd[t->funadr[i] + t->funn[i] - 2];
+        h4_2 = p_ii1 - p[t->funadr[i] + t->funn[i] - 2];
+        h4_2d = p_ii1d - pd[t->funadr[i] + t->funn[i] - 2];
         p_iii1 = p[t->funadr[i] + t->funn[i] + t->funn[i] - 1];
         p_iii1d = pd[t->funadr[i] + t->funn[i] + t->funn[i] - 1];
-        t14 = (p_iii1 - p[t->funadr[i] + t->funn[i] + t->funn[i] - 2]) / h3_2;
-        t14d = (p_iii1d - pd[t->funadr[i] + t->funn[i] + t->funn[i] - 2] - t14 * h3_2d) * (1.0 /
-            h3_2);
-        slope2 = t14 + h3_2 / 6.0 * (spline0[t->funspline[i] + t->funn[i] - 2][0] + 2.0 *
+        t15 = (p_iii1 - p[t->funadr[i] + t->funn[i] + t->funn[i] - 2]) / h4_2;
+        t15d = (p_iii1d - pd[t->funadr[i] + t->funn[i] + t->funn[i] - 2] - t15 * h4_2d) * (1.0 /
+            h4_2);
+        slope2 = t15 + h4_2 / 6.0 * (spline0[t->funspline[i] + t->funn[i] - 2][0] + 2.0 *
             spline0[t->funspline[i] + t->funn[i] - 1][0]);
-        slope2d = t14d + (h3_2d / 6.0 * (spline0[t->funspline[i] + t->funn[i] - 2][0] + 2.0 *
-            spline0[t->funspline[i] + t->funn[i] - 1][0]) + h3_2 / 6.0 * (spline0d[t->funspline[i] +
+        slope2d = t15d + (h4_2d / 6.0 * (spline0[t->funspline[i] + t->funn[i] - 2][0] + 2.0 *
+            spline0[t->funspline[i] + t->funn[i] - 1][0]) + h4_2 / 6.0 * (spline0d[t->funspline[i] +
             t->funn[i] - 2][0] + 2.0 * spline0d[t->funspline[i] + t->funn[i] - 1][0]));
         f2b = 0.0;
         f2bd = 0.0;
@@ -783,33 +941,33 @@ void maggi_functions_b_d(const maggi_topo *t, const double p[restrict t->np],
         p_ii1bd = -(f0bd * slope2 + f0b * slope2d);
         f0b = 0.0;
         f0bd = 0.0;
-        t14b = slope2b;
-        t14bd = slope2bd;
-        h3_2b = slope2b * (spline0[t->funspline[i] + t->funn[i] - 2][0] + 2.0 *
+        t15b = slope2b;
+        t15bd = slope2bd;
+        h4_2b = slope2b * (spline0[t->funspline[i] + t->funn[i] - 2][0] + 2.0 *
             spline0[t->funspline[i] + t->funn[i] - 1][0]) / 6.0;
-        h3_2bd = (slope2bd * (spline0[t->funspline[i] + t->funn[i] - 2][0] + 2.0 *
+        h4_2bd = (slope2bd * (spline0[t->funspline[i] + t->funn[i] - 2][0] + 2.0 *
             spline0[t->funspline[i] + t->funn[i] - 1][0]) + slope2b * (spline0d[t->funspline[i] +
             t->funn[i] - 2][0] + 2.0 * spline0d[t->funspline[i] + t->funn[i] - 1][0])) / 6.0;
-        tb34 = slope2b * (h3_2 / 6.0);
-        tb34d = slope2bd * (h3_2 / 6.0) + slope2b * (h3_2d / 6.0);
-        spline0b[t->funspline[i] + t->funn[i] - 2][0] += tb34;
-        spline0bd[t->funspline[i] + t->funn[i] - 2][0] += tb34d;
-        spline0b[t->funspline[i] + t->funn[i] - 1][0] += tb34 * 2.0;
-        spline0bd[t->funspline[i] + t->funn[i] - 1][0] += tb34d * 2.0;
-        tb33 = t14b / h3_2;
-        tb33d = (t14bd - tb33 * h3_2d) * (1.0 / h3_2);
-        p_iii1b += tb33;
-        p_iii1bd += tb33d;
-        pb[t->funadr[i] + t->funn[i] + t->funn[i] - 2] -= tb33;
-        pbd[t->funadr[i] + t->funn[i] + t->funn[i] - 2] -= tb33d;
-        h3_2b -= tb33 * t14;
-        h3_2bd -= tb33d * t14 + tb33 * t14d;
+        tb51 = slope2b * (h4_2 / 6.0);
+        tb51d = slope2bd * (h4_2 / 6.0) + slope2b * (h4_2d / 6.0);
+        spline0b[t->funspline[i] + t->funn[i] - 2][0] += tb51;
+        spline0bd[t->funspline[i] + t->funn[i] - 2][0] += tb51d;
+        spline0b[t->funspline[i] + t->funn[i] - 1][0] += tb51 * 2.0;
+        spline0bd[t->funspline[i] + t->funn[i] - 1][0] += tb51d * 2.0;
+        tb50 = t15b / h4_2;
+        tb50d = (t15bd - tb50 * h4_2d) * (1.0 / h4_2);
+        p_iii1b += tb50;
+        p_iii1bd += tb50d;
+        pb[t->funadr[i] + t->funn[i] + t->funn[i] - 2] -= tb50;
+        pbd[t->funadr[i] + t->funn[i] + t->funn[i] - 2] -= tb50d;
+        h4_2b -= tb50 * t15;
+        h4_2bd -= tb50d * t15 + tb50 * t15d;
         pb[t->funadr[i] + t->funn[i] + t->funn[i] - 1] += p_iii1b;
         pbd[t->funadr[i] + t->funn[i] + t->funn[i] - 1] += p_iii1bd;
-        p_ii1b += h3_2b;
-        p_ii1bd += h3_2bd;
-        pb[t->funadr[i] + t->funn[i] - 2] -= h3_2b;
-        pbd[t->funadr[i] + t->funn[i] - 2] -= h3_2bd;
+        p_ii1b += h4_2b;
+        p_ii1bd += h4_2bd;
+        pb[t->funadr[i] + t->funn[i] - 2] -= h4_2b;
+        pbd[t->funadr[i] + t->funn[i] - 2] -= h4_2bd;
         pb[t->funadr[i] + t->funn[i] - 1] += p_ii1b;
         pbd[t->funadr[i] + t->funn[i] - 1] += p_ii1bd;
       } else {
@@ -817,169 +975,169 @@ void maggi_functions_b_d(const maggi_topo *t, const double p[restrict t->np],
         p_ik31d = pd[t->funadr[i] + k3 + 1];
         p_ik3 = p[t->funadr[i] + k3];
         p_ik3d = pd[t->funadr[i] + k3];
-        h3_3 = p_ik31 - p_ik3;
-        h3_3d = p_ik31d - p_ik3d;
+        h4_3 = p_ik31 - p_ik3;
+        h4_3d = p_ik31d - p_ik3d;
         a = p_ik31 - time;
         ad = p_ik31d;
         c2 = time - p_ik3;
         c2d = -p_ik3d;
         p_iik3 = p[t->funadr[i] + t->funn[i] + k3];
         p_iik3d = pd[t->funadr[i] + t->funn[i] + k3];
-        t15 = (p[t->funadr[i] + t->funn[i] + k3 + 1] - p_iik3) / h3_3;
-        t15d = (pd[t->funadr[i] + t->funn[i] + k3 + 1] - p_iik3d - t15 * h3_3d) * (1.0 / h3_3);
+        t16 = (p[t->funadr[i] + t->funn[i] + k3 + 1] - p_iik3) / h4_3;
+        t16d = (pd[t->funadr[i] + t->funn[i] + k3 + 1] - p_iik3d - t16 * h4_3d) * (1.0 / h4_3);
         spline0_ik310 = spline0[t->funspline[i] + k3 + 1][0];
         spline0_ik310d = spline0d[t->funspline[i] + k3 + 1][0];
         spline0_ik30 = spline0[t->funspline[i] + k3][0];
         spline0_ik30d = spline0d[t->funspline[i] + k3][0];
-        e = t15 - h3_3 / 6.0 * (spline0_ik310 - spline0_ik30);
-        ed = t15d - (h3_3d / 6.0 * (spline0_ik310 - spline0_ik30) + h3_3 / 6.0 * (spline0_ik310d -
+        e = t16 - h4_3 / 6.0 * (spline0_ik310 - spline0_ik30);
+        ed = t16d - (h4_3d / 6.0 * (spline0_ik310 - spline0_ik30) + h4_3 / 6.0 * (spline0_ik310d -
             spline0_ik30d));
-        t16 = 6.0 * h3_3;
-        t16d = 6.0 * h3_3d;
-        t17 = (spline0_ik30 * a * a * a + spline0_ik310 * c2 * c2 * c2) / t16;
-        t17d = (((spline0_ik30d * a + spline0_ik30 * ad) * a + spline0_ik30 * a * ad) * a +
+        t17 = 6.0 * h4_3;
+        t17d = 6.0 * h4_3d;
+        t18 = (spline0_ik30 * a * a * a + spline0_ik310 * c2 * c2 * c2) / t17;
+        t18d = (((spline0_ik30d * a + spline0_ik30 * ad) * a + spline0_ik30 * a * ad) * a +
             spline0_ik30 * a * a * ad + (((spline0_ik310d * c2 + spline0_ik310 * c2d) * c2 +
-            spline0_ik310 * c2 * c2d) * c2 + spline0_ik310 * c2 * c2 * c2d) - t17 * t16d) * (1.0 /
-            t16);
-        t18 = 2.0 * h3_3;
-        t18d = 2.0 * h3_3d;
-        t19 = (spline0_ik310 * c2 * c2 - spline0_ik30 * a * a) / t18;
-        t19d = ((spline0_ik310d * c2 + spline0_ik310 * c2d) * c2 + spline0_ik310 * c2 * c2d -
-            ((spline0_ik30d * a + spline0_ik30 * ad) * a + spline0_ik30 * a * ad) - t19 * t18d) *
-            (1.0 / t18);
-        t20 = (spline0_ik30 * a + spline0_ik310 * c2) / h3_3;
-        t20d = (spline0_ik30d * a + spline0_ik30 * ad + (spline0_ik310d * c2 + spline0_ik310 * c2d)
-            - t20 * h3_3d) * (1.0 / h3_3);
-        t20b = f2b;
-        t20bd = f2bd;
+            spline0_ik310 * c2 * c2d) * c2 + spline0_ik310 * c2 * c2 * c2d) - t18 * t17d) * (1.0 /
+            t17);
+        t19 = 2.0 * h4_3;
+        t19d = 2.0 * h4_3d;
+        t20 = (spline0_ik310 * c2 * c2 - spline0_ik30 * a * a) / t19;
+        t20d = ((spline0_ik310d * c2 + spline0_ik310 * c2d) * c2 + spline0_ik310 * c2 * c2d -
+            ((spline0_ik30d * a + spline0_ik30 * ad) * a + spline0_ik30 * a * ad) - t20 * t19d) *
+            (1.0 / t19);
+        t21 = (spline0_ik30 * a + spline0_ik310 * c2) / h4_3;
+        t21d = (spline0_ik30d * a + spline0_ik30 * ad + (spline0_ik310d * c2 + spline0_ik310 * c2d)
+            - t21 * h4_3d) * (1.0 / h4_3);
+        t21b = f2b;
+        t21bd = f2bd;
         f2b = 0.0;
         f2bd = 0.0;
-        tb47 = t20b / h3_3;
-        tb47d = (t20bd - tb47 * h3_3d) * (1.0 / h3_3);
-        spline0_ik30b = tb47 * a;
-        spline0_ik30bd = tb47d * a + tb47 * ad;
-        ab = tb47 * spline0_ik30;
-        abd = tb47d * spline0_ik30 + tb47 * spline0_ik30d;
-        spline0_ik310b = tb47 * c2;
-        spline0_ik310bd = tb47d * c2 + tb47 * c2d;
-        c2b = tb47 * spline0_ik310;
-        c2bd = tb47d * spline0_ik310 + tb47 * spline0_ik310d;
-        h3_3b = -(tb47 * t20);
-        h3_3bd = -(tb47d * t20 + tb47 * t20d);
-        t19b = f1b;
-        t19bd = f1bd;
+        tb64 = t21b / h4_3;
+        tb64d = (t21bd - tb64 * h4_3d) * (1.0 / h4_3);
+        spline0_ik30b = tb64 * a;
+        spline0_ik30bd = tb64d * a + tb64 * ad;
+        ab = tb64 * spline0_ik30;
+        abd = tb64d * spline0_ik30 + tb64 * spline0_ik30d;
+        spline0_ik310b = tb64 * c2;
+        spline0_ik310bd = tb64d * c2 + tb64 * c2d;
+        c2b = tb64 * spline0_ik310;
+        c2bd = tb64d * spline0_ik310 + tb64 * spline0_ik310d;
+        h4_3b = -(tb64 * t21);
+        h4_3bd = -(tb64d * t21 + tb64 * t21d);
+        t20b = f1b;
+        t20bd = f1bd;
         eb = f1b;
         ebd = f1bd;
         f1b = 0.0;
         f1bd = 0.0;
-        tb44 = t19b / t18;
-        tb44d = (t19bd - tb44 * t18d) * (1.0 / t18);
-        tb45 = tb44 * c2;
-        tb45d = tb44d * c2 + tb44 * c2d;
-        spline0_ik310b += tb45 * c2;
-        spline0_ik310bd += tb45d * c2 + tb45 * c2d;
-        c2b += tb45 * spline0_ik310;
-        c2bd += tb45d * spline0_ik310 + tb45 * spline0_ik310d;
-        c2b += tb44 * (spline0_ik310 * c2);
-        c2bd += tb44d * (spline0_ik310 * c2) + tb44 * (spline0_ik310d * c2 + spline0_ik310 * c2d);
-        tb46 = tb44 * a;
-        tb46d = tb44d * a + tb44 * ad;
-        spline0_ik30b -= tb46 * a;
-        spline0_ik30bd -= tb46d * a + tb46 * ad;
-        ab -= tb46 * spline0_ik30;
-        abd -= tb46d * spline0_ik30 + tb46 * spline0_ik30d;
-        ab -= tb44 * (spline0_ik30 * a);
-        abd -= tb44d * (spline0_ik30 * a) + tb44 * (spline0_ik30d * a + spline0_ik30 * ad);
-        t18b = -(tb44 * t19);
-        t18bd = -(tb44d * t19 + tb44 * t19d);
-        h3_3b += t18b * 2.0;
-        h3_3bd += t18bd * 2.0;
-        t17b = f0b;
-        t17bd = f0bd;
+        tb61 = t20b / t19;
+        tb61d = (t20bd - tb61 * t19d) * (1.0 / t19);
+        tb62 = tb61 * c2;
+        tb62d = tb61d * c2 + tb61 * c2d;
+        spline0_ik310b += tb62 * c2;
+        spline0_ik310bd += tb62d * c2 + tb62 * c2d;
+        c2b += tb62 * spline0_ik310;
+        c2bd += tb62d * spline0_ik310 + tb62 * spline0_ik310d;
+        c2b += tb61 * (spline0_ik310 * c2);
+        c2bd += tb61d * (spline0_ik310 * c2) + tb61 * (spline0_ik310d * c2 + spline0_ik310 * c2d);
+        tb63 = tb61 * a;
+        tb63d = tb61d * a + tb61 * ad;
+        spline0_ik30b -= tb63 * a;
+        spline0_ik30bd -= tb63d * a + tb63 * ad;
+        ab -= tb63 * spline0_ik30;
+        abd -= tb63d * spline0_ik30 + tb63 * spline0_ik30d;
+        ab -= tb61 * (spline0_ik30 * a);
+        abd -= tb61d * (spline0_ik30 * a) + tb61 * (spline0_ik30d * a + spline0_ik30 * ad);
+        t19b = -(tb61 * t20);
+        t19bd = -(tb61d * t20 + tb61 * t20d);
+        h4_3b += t19b * 2.0;
+        h4_3bd += t19bd * 2.0;
+        t18b = f0b;
+        t18bd = f0bd;
         p_iik3b = f0b;
         p_iik3bd = f0bd;
-        tb42 = f0b / 6.0;
-        tb42d = f0bd / 6.0;
-        tb43 = tb42 * h3_3;
-        tb43d = tb42d * h3_3 + tb42 * h3_3d;
-        spline0_ik30b -= tb43 * h3_3;
-        spline0_ik30bd -= tb43d * h3_3 + tb43 * h3_3d;
-        h3_3b -= tb43 * spline0_ik30;
-        h3_3bd -= tb43d * spline0_ik30 + tb43 * spline0_ik30d;
-        h3_3b -= tb42 * (spline0_ik30 * h3_3);
-        h3_3bd -= tb42d * (spline0_ik30 * h3_3) + tb42 * (spline0_ik30d * h3_3 + spline0_ik30 *
-            h3_3d);
+        tb59 = f0b / 6.0;
+        tb59d = f0bd / 6.0;
+        tb60 = tb59 * h4_3;
+        tb60d = tb59d * h4_3 + tb59 * h4_3d;
+        spline0_ik30b -= tb60 * h4_3;
+        spline0_ik30bd -= tb60d * h4_3 + tb60 * h4_3d;
+        h4_3b -= tb60 * spline0_ik30;
+        h4_3bd -= tb60d * spline0_ik30 + tb60 * spline0_ik30d;
+        h4_3b -= tb59 * (spline0_ik30 * h4_3);
+        h4_3bd -= tb59d * (spline0_ik30 * h4_3) + tb59 * (spline0_ik30d * h4_3 + spline0_ik30 *
+            h4_3d);
         eb += f0b * c2;
         ebd += f0bd * c2 + f0b * c2d;
         c2b += f0b * e;
         c2bd += f0bd * e + f0b * ed;
         f0b = 0.0;
         f0bd = 0.0;
-        tb37 = t17b / t16;
-        tb37d = (t17bd - tb37 * t16d) * (1.0 / t16);
-        tb38 = tb37 * a;
-        tb38d = tb37d * a + tb37 * ad;
-        tb39 = tb38 * a;
-        tb39d = tb38d * a + tb38 * ad;
-        spline0_ik30b += tb39 * a;
-        spline0_ik30bd += tb39d * a + tb39 * ad;
-        ab += tb39 * spline0_ik30;
-        abd += tb39d * spline0_ik30 + tb39 * spline0_ik30d;
-        ab += tb38 * (spline0_ik30 * a);
-        abd += tb38d * (spline0_ik30 * a) + tb38 * (spline0_ik30d * a + spline0_ik30 * ad);
-        ab += tb37 * (spline0_ik30 * a * a);
-        abd += tb37d * (spline0_ik30 * a * a) + tb37 * ((spline0_ik30d * a + spline0_ik30 * ad) * a
+        tb54 = t18b / t17;
+        tb54d = (t18bd - tb54 * t17d) * (1.0 / t17);
+        tb55 = tb54 * a;
+        tb55d = tb54d * a + tb54 * ad;
+        tb56 = tb55 * a;
+        tb56d = tb55d * a + tb55 * ad;
+        spline0_ik30b += tb56 * a;
+        spline0_ik30bd += tb56d * a + tb56 * ad;
+        ab += tb56 * spline0_ik30;
+        abd += tb56d * spline0_ik30 + tb56 * spline0_ik30d;
+        ab += tb55 * (spline0_ik30 * a);
+        abd += tb55d * (spline0_ik30 * a) + tb55 * (spline0_ik30d * a + spline0_ik30 * ad);
+        ab += tb54 * (spline0_ik30 * a * a);
+        abd += tb54d * (spline0_ik30 * a * a) + tb54 * ((spline0_ik30d * a + spline0_ik30 * ad) * a
             + spline0_ik30 * a * ad);
-        tb40 = tb37 * c2;
-        tb40d = tb37d * c2 + tb37 * c2d;
-        tb41 = tb40 * c2;
-        tb41d = tb40d * c2 + tb40 * c2d;
-        spline0_ik310b += tb41 * c2;
-        spline0_ik310bd += tb41d * c2 + tb41 * c2d;
-        c2b += tb41 * spline0_ik310;
-        c2bd += tb41d * spline0_ik310 + tb41 * spline0_ik310d;
-        c2b += tb40 * (spline0_ik310 * c2);
-        c2bd += tb40d * (spline0_ik310 * c2) + tb40 * (spline0_ik310d * c2 + spline0_ik310 * c2d);
-        c2b += tb37 * (spline0_ik310 * c2 * c2);
-        c2bd += tb37d * (spline0_ik310 * c2 * c2) + tb37 * ((spline0_ik310d * c2 + spline0_ik310 *
+        tb57 = tb54 * c2;
+        tb57d = tb54d * c2 + tb54 * c2d;
+        tb58 = tb57 * c2;
+        tb58d = tb57d * c2 + tb57 * c2d;
+        spline0_ik310b += tb58 * c2;
+        spline0_ik310bd += tb58d * c2 + tb58 * c2d;
+        c2b += tb58 * spline0_ik310;
+        c2bd += tb58d * spline0_ik310 + tb58 * spline0_ik310d;
+        c2b += tb57 * (spline0_ik310 * c2);
+        c2bd += tb57d * (spline0_ik310 * c2) + tb57 * (spline0_ik310d * c2 + spline0_ik310 * c2d);
+        c2b += tb54 * (spline0_ik310 * c2 * c2);
+        c2bd += tb54d * (spline0_ik310 * c2 * c2) + tb54 * ((spline0_ik310d * c2 + spline0_ik310 *
             c2d) * c2 + spline0_ik310 * c2 * c2d);
-        t16b = -(tb37 * t17);
-        t16bd = -(tb37d * t17 + tb37 * t17d);
-        h3_3b += t16b * 6.0;
-        h3_3bd += t16bd * 6.0;
-        t15b = eb;
-        t15bd = ebd;
-        h3_3b -= eb * (spline0_ik310 - spline0_ik30) / 6.0;
-        h3_3bd -= (ebd * (spline0_ik310 - spline0_ik30) + eb * (spline0_ik310d - spline0_ik30d)) /
+        t17b = -(tb54 * t18);
+        t17bd = -(tb54d * t18 + tb54 * t18d);
+        h4_3b += t17b * 6.0;
+        h4_3bd += t17bd * 6.0;
+        t16b = eb;
+        t16bd = ebd;
+        h4_3b -= eb * (spline0_ik310 - spline0_ik30) / 6.0;
+        h4_3bd -= (ebd * (spline0_ik310 - spline0_ik30) + eb * (spline0_ik310d - spline0_ik30d)) /
             6.0;
-        tb36 = eb * (h3_3 / 6.0);
-        tb36d = ebd * (h3_3 / 6.0) + eb * (h3_3d / 6.0);
-        spline0_ik310b -= tb36;
-        spline0_ik310bd -= tb36d;
-        spline0_ik30b += tb36;
-        spline0_ik30bd += tb36d;
+        tb53 = eb * (h4_3 / 6.0);
+        tb53d = ebd * (h4_3 / 6.0) + eb * (h4_3d / 6.0);
+        spline0_ik310b -= tb53;
+        spline0_ik310bd -= tb53d;
+        spline0_ik30b += tb53;
+        spline0_ik30bd += tb53d;
         spline0b[t->funspline[i] + k3][0] += spline0_ik30b;
         spline0bd[t->funspline[i] + k3][0] += spline0_ik30bd;
         spline0b[t->funspline[i] + k3 + 1][0] += spline0_ik310b;
         spline0bd[t->funspline[i] + k3 + 1][0] += spline0_ik310bd;
-        tb35 = t15b / h3_3;
-        tb35d = (t15bd - tb35 * h3_3d) * (1.0 / h3_3);
-        pb[t->funadr[i] + t->funn[i] + k3 + 1] += tb35;
-        pbd[t->funadr[i] + t->funn[i] + k3 + 1] += tb35d;
-        p_iik3b -= tb35;
-        p_iik3bd -= tb35d;
-        h3_3b -= tb35 * t15;
-        h3_3bd -= tb35d * t15 + tb35 * t15d;
+        tb52 = t16b / h4_3;
+        tb52d = (t16bd - tb52 * h4_3d) * (1.0 / h4_3);
+        pb[t->funadr[i] + t->funn[i] + k3 + 1] += tb52;
+        pbd[t->funadr[i] + t->funn[i] + k3 + 1] += tb52d;
+        p_iik3b -= tb52;
+        p_iik3bd -= tb52d;
+        h4_3b -= tb52 * t16;
+        h4_3bd -= tb52d * t16 + tb52 * t16d;
         pb[t->funadr[i] + t->funn[i] + k3] += p_iik3b;
         pbd[t->funadr[i] + t->funn[i] + k3] += p_iik3bd;
         p_ik3b = -c2b;
         p_ik3bd = -c2bd;
         p_ik31b = ab;
         p_ik31bd = abd;
-        p_ik31b += h3_3b;
-        p_ik31bd += h3_3bd;
-        p_ik3b -= h3_3b;
-        p_ik3bd -= h3_3bd;
+        p_ik31b += h4_3b;
+        p_ik31bd += h4_3bd;
+        p_ik3b -= h4_3b;
+        p_ik3bd -= h4_3bd;
         pb[t->funadr[i] + k3] += p_ik3b;
         pbd[t->funadr[i] + k3] += p_ik3bd;
         pb[t->funadr[i] + k3 + 1] += p_ik31b;

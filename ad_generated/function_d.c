@@ -99,14 +99,15 @@ void maggi_functions_d(const maggi_topo *t, const double p[restrict t->np],
                        double fun[restrict t->nfun][3], double fund[restrict t->nfun][3])
 {
   int i, is_k2, is_k2_2, is_k2_3, is_k2_4, k, k2, k3;
-  double a, ad, c, c2, c2d, c3, c4, cd, e, ed, f0d, f1d, f2d, h, h2, h2d, h2inv, h3, h3_2, h3_2d,
-      h3_2inv, h3_3, h3_3d, h3_3inv, h3d, h3inv, hd, hinv, moves, p_i, p_i1, p_i1d, p_i2, p_i2_2,
-      p_i2_2d, p_i2d, p_i3, p_i3_2, p_i3_2d, p_i3d, p_i4, p_i4d, p_id, p_ii, p_ii1, p_ii1d, p_iid,
-      p_iii1, p_iii1d, p_iik2, p_iik21, p_iik21d, p_iik2d, p_iik3, p_iik3d, p_ik2, p_ik2d, p_ik3,
-      p_ik31, p_ik31d, p_ik3d, p_ikd, s, sd, slope, slope2, slope2d, sloped, spline0_ik30,
-      spline0_ik30d, spline0_ik310, spline0_ik310d, t10, t10d, t11, t11d, t11inv, t12, t12d, t13,
-      t13d, t14, t14d, t15, t15d, t16, t16d, t16inv, t17, t17d, t18, t18d, t18inv, t19, t19d, t2,
-      t20, t20d, t3, t4, t5, t5d, t6, t6d, t7, t7d, t8, t8d, t8inv, t9, t9d, x, x2, x2d, xd;
+  double a, ad, c, c2, c2d, c3, c4, cd, e, ed, f0d, f1d, f2d, h, h2, h2d, h2inv, h3, h3d, h3inv, h4,
+      h4_2, h4_2d, h4_2inv, h4_3, h4_3d, h4_3inv, h4d, h4inv, hd, hinv, moves, p_i, p_i1, p_i1d,
+      p_i2, p_i2_2, p_i2_2d, p_i2d, p_i3, p_i3_2, p_i3_2d, p_i3_3, p_i3_3d, p_i3_4, p_i3_4d, p_i3d,
+      p_i4, p_i4d, p_i5, p_i5d, p_id, p_ii, p_ii1, p_ii1d, p_iid, p_iii1, p_iii1d, p_iik2, p_iik21,
+      p_iik21d, p_iik2d, p_iik3, p_iik3d, p_ik2, p_ik2d, p_ik3, p_ik31, p_ik31d, p_ik3d, p_ikd, s,
+      sd, slope, slope2, slope2d, sloped, spline0_ik30, spline0_ik30d, spline0_ik310,
+      spline0_ik310d, t10, t10d, t11, t11d, t11inv, t12, t12d, t13, t13d, t14, t14d, t15, t15d, t16,
+      t16d, t17, t17d, t17inv, t18, t18d, t19, t19d, t19inv, t2, t20, t20d, t21, t21d, t3, t4, t5,
+      t5d, t6, t6d, t7, t7d, t8, t8d, t8inv, t9, t9d, x, x2, x2d, x3, x3d, xd;
 
   (void)fun;
   for (i = 0; i < t->nfun; ++i) {
@@ -241,40 +242,75 @@ void maggi_functions_d(const maggi_topo *t, const double p[restrict t->np],
               * x2 * (x2d * (-3.0 + 2.0 * x2) + x2 * (2.0 * x2d));
         }
       }
+    } else if (t->funkind[i] == MAGGI_FUNCTION_RAMP) {
+      p_i4 = p[t->funadr[i]];
+      p_i4d = pd[t->funadr[i]];
+      h3 = p[t->funadr[i] + 1] - p_i4;
+      /* y0, then its rate rises as a quintic step, h x^4 (5/2 - 3 x + x^2), then it is straight */
+      h3d = pd[t->funadr[i] + 1] - p_i4d;
+      x3 = (time - p_i4) / h3;
+      h3inv = 1.0 / h3;
+      x3d = (-p_i4d - x3 * h3d) * h3inv;
+      if (MAGGI_RE(time) <= MAGGI_RE(p[t->funadr[i]])) {
+        f0d = pd[t->funadr[i] + 2];
+        f1d = 0.0;
+        f2d = 0.0;
+      } else if (MAGGI_RE(time) >= MAGGI_RE(p[t->funadr[i] + 1])) {
+        p_i3_3 = p[t->funadr[i] + 3];
+        p_i3_3d = pd[t->funadr[i] + 3];
+        f0d = pd[t->funadr[i] + 2] + (p_i3_3d * (time - 0.5 * (p[t->funadr[i]] + p[t->funadr[i] +
+            1])) - p_i3_3 * (0.5 * (pd[t->funadr[i]] + pd[t->funadr[i] + 1])));
+        f1d = p_i3_3d;
+        f2d = 0.0;
+      } else {
+        p_i3_4 = p[t->funadr[i] + 3];
+        p_i3_4d = pd[t->funadr[i] + 3];
+        f0d = pd[t->funadr[i] + 2] + ((((((p_i3_4d * h3 + p_i3_4 * h3d) * x3 + p_i3_4 * h3 * x3d) *
+            x3 + p_i3_4 * h3 * x3 * x3d) * x3 + p_i3_4 * h3 * x3 * x3 * x3d) * x3 + p_i3_4 * h3 * x3
+            * x3 * x3 * x3d) * (2.5 + x3 * (-3.0 + x3)) + p_i3_4 * h3 * x3 * x3 * x3 * x3 * (x3d *
+            (-3.0 + x3) + x3 * x3d));
+        f1d = (((p_i3_4d * x3 + p_i3_4 * x3d) * x3 + p_i3_4 * x3 * x3d) * x3 + p_i3_4 * x3 * x3 *
+            x3d) * (10.0 + x3 * (-15.0 + 6.0 * x3)) + p_i3_4 * x3 * x3 * x3 * (x3d * (-15.0 + 6.0 *
+            x3) + x3 * (6.0 * x3d));
+        t13 = p_i3_4 / h3;
+        t13d = (p_i3_4d - t13 * h3d) * h3inv;
+        f2d = ((t13d * 30.0 * x3 + t13 * 30.0 * x3d) * x3 + t13 * 30.0 * x3 * x3d) * (1.0 + x3 *
+            (-2.0 + x3)) + t13 * 30.0 * x3 * x3 * (x3d * (-2.0 + x3) + x3 * x3d);
+      }
     } else {
       k3 = maggi_piece(t->np, p, t->funadr[i], t->funn[i], time);
       if (k3 < 0) {
-        p_i4 = p[t->funadr[i]];
-        p_i4d = pd[t->funadr[i]];
-        h3 = p[t->funadr[i] + 1] - p_i4;
-        h3d = pd[t->funadr[i] + 1] - p_i4d;
+        p_i5 = p[t->funadr[i]];
+        p_i5d = pd[t->funadr[i]];
+        h4 = p[t->funadr[i] + 1] - p_i5;
+        h4d = pd[t->funadr[i] + 1] - p_i5d;
         p_ii = p[t->funadr[i] + t->funn[i]];
         p_iid = pd[t->funadr[i] + t->funn[i]];
-        t13 = (p[t->funadr[i] + t->funn[i] + 1] - p_ii) / h3;
-        h3inv = 1.0 / h3;
-        t13d = (pd[t->funadr[i] + t->funn[i] + 1] - p_iid - t13 * h3d) * h3inv;
-        slope = t13 - h3 / 6.0 * (2.0 * spline0[t->funspline[i]][0] + spline0[t->funspline[i] +
+        t14 = (p[t->funadr[i] + t->funn[i] + 1] - p_ii) / h4;
+        h4inv = 1.0 / h4;
+        t14d = (pd[t->funadr[i] + t->funn[i] + 1] - p_iid - t14 * h4d) * h4inv;
+        slope = t14 - h4 / 6.0 * (2.0 * spline0[t->funspline[i]][0] + spline0[t->funspline[i] +
             1][0]);
-        sloped = t13d - (h3d / 6.0 * (2.0 * spline0[t->funspline[i]][0] + spline0[t->funspline[i] +
-            1][0]) + h3 / 6.0 * (2.0 * spline0d[t->funspline[i]][0] + spline0d[t->funspline[i] +
+        sloped = t14d - (h4d / 6.0 * (2.0 * spline0[t->funspline[i]][0] + spline0[t->funspline[i] +
+            1][0]) + h4 / 6.0 * (2.0 * spline0d[t->funspline[i]][0] + spline0d[t->funspline[i] +
             1][0]));
-        f0d = p_iid + (sloped * (time - p_i4) - slope * p_i4d);
+        f0d = p_iid + (sloped * (time - p_i5) - slope * p_i5d);
         f1d = sloped;
         f2d = 0.0;
       } else if (k3 > t->funn[i] - 2) {
         p_ii1 = p[t->funadr[i] + t->funn[i] - 1];
         p_ii1d = pd[t->funadr[i] + t->funn[i] - 1];
-        h3_2 = p_ii1 - p[t->funadr[i] + t->funn[i] - 2];
-        h3_2d = p_ii1d - pd[t->funadr[i] + t->funn[i] - 2];
+        h4_2 = p_ii1 - p[t->funadr[i] + t->funn[i] - 2];
+        h4_2d = p_ii1d - pd[t->funadr[i] + t->funn[i] - 2];
         p_iii1 = p[t->funadr[i] + t->funn[i] + t->funn[i] - 1];
         p_iii1d = pd[t->funadr[i] + t->funn[i] + t->funn[i] - 1];
-        t14 = (p_iii1 - p[t->funadr[i] + t->funn[i] + t->funn[i] - 2]) / h3_2;
-        h3_2inv = 1.0 / h3_2;
-        t14d = (p_iii1d - pd[t->funadr[i] + t->funn[i] + t->funn[i] - 2] - t14 * h3_2d) * h3_2inv;
-        slope2 = t14 + h3_2 / 6.0 * (spline0[t->funspline[i] + t->funn[i] - 2][0] + 2.0 *
+        t15 = (p_iii1 - p[t->funadr[i] + t->funn[i] + t->funn[i] - 2]) / h4_2;
+        h4_2inv = 1.0 / h4_2;
+        t15d = (p_iii1d - pd[t->funadr[i] + t->funn[i] + t->funn[i] - 2] - t15 * h4_2d) * h4_2inv;
+        slope2 = t15 + h4_2 / 6.0 * (spline0[t->funspline[i] + t->funn[i] - 2][0] + 2.0 *
             spline0[t->funspline[i] + t->funn[i] - 1][0]);
-        slope2d = t14d + (h3_2d / 6.0 * (spline0[t->funspline[i] + t->funn[i] - 2][0] + 2.0 *
-            spline0[t->funspline[i] + t->funn[i] - 1][0]) + h3_2 / 6.0 * (spline0d[t->funspline[i] +
+        slope2d = t15d + (h4_2d / 6.0 * (spline0[t->funspline[i] + t->funn[i] - 2][0] + 2.0 *
+            spline0[t->funspline[i] + t->funn[i] - 1][0]) + h4_2 / 6.0 * (spline0d[t->funspline[i] +
             t->funn[i] - 2][0] + 2.0 * spline0d[t->funspline[i] + t->funn[i] - 1][0]));
         f0d = p_iii1d + (slope2d * (time - p_ii1) - slope2 * p_ii1d);
         f1d = slope2d;
@@ -284,45 +320,45 @@ void maggi_functions_d(const maggi_topo *t, const double p[restrict t->np],
         p_ik31d = pd[t->funadr[i] + k3 + 1];
         p_ik3 = p[t->funadr[i] + k3];
         p_ik3d = pd[t->funadr[i] + k3];
-        h3_3 = p_ik31 - p_ik3;
-        h3_3d = p_ik31d - p_ik3d;
+        h4_3 = p_ik31 - p_ik3;
+        h4_3d = p_ik31d - p_ik3d;
         a = p_ik31 - time;
         ad = p_ik31d;
         c2 = time - p_ik3;
         c2d = -p_ik3d;
         p_iik3 = p[t->funadr[i] + t->funn[i] + k3];
         p_iik3d = pd[t->funadr[i] + t->funn[i] + k3];
-        t15 = (p[t->funadr[i] + t->funn[i] + k3 + 1] - p_iik3) / h3_3;
-        h3_3inv = 1.0 / h3_3;
-        t15d = (pd[t->funadr[i] + t->funn[i] + k3 + 1] - p_iik3d - t15 * h3_3d) * h3_3inv;
+        t16 = (p[t->funadr[i] + t->funn[i] + k3 + 1] - p_iik3) / h4_3;
+        h4_3inv = 1.0 / h4_3;
+        t16d = (pd[t->funadr[i] + t->funn[i] + k3 + 1] - p_iik3d - t16 * h4_3d) * h4_3inv;
         spline0_ik310 = spline0[t->funspline[i] + k3 + 1][0];
         spline0_ik310d = spline0d[t->funspline[i] + k3 + 1][0];
         spline0_ik30 = spline0[t->funspline[i] + k3][0];
         spline0_ik30d = spline0d[t->funspline[i] + k3][0];
-        e = t15 - h3_3 / 6.0 * (spline0_ik310 - spline0_ik30);
-        ed = t15d - (h3_3d / 6.0 * (spline0_ik310 - spline0_ik30) + h3_3 / 6.0 * (spline0_ik310d -
+        e = t16 - h4_3 / 6.0 * (spline0_ik310 - spline0_ik30);
+        ed = t16d - (h4_3d / 6.0 * (spline0_ik310 - spline0_ik30) + h4_3 / 6.0 * (spline0_ik310d -
             spline0_ik30d));
-        t16 = 6.0 * h3_3;
-        t16d = 6.0 * h3_3d;
-        t17 = (spline0_ik30 * a * a * a + spline0_ik310 * c2 * c2 * c2) / t16;
-        t16inv = 1.0 / t16;
-        t17d = (((spline0_ik30d * a + spline0_ik30 * ad) * a + spline0_ik30 * a * ad) * a +
+        t17 = 6.0 * h4_3;
+        t17d = 6.0 * h4_3d;
+        t18 = (spline0_ik30 * a * a * a + spline0_ik310 * c2 * c2 * c2) / t17;
+        t17inv = 1.0 / t17;
+        t18d = (((spline0_ik30d * a + spline0_ik30 * ad) * a + spline0_ik30 * a * ad) * a +
             spline0_ik30 * a * a * ad + (((spline0_ik310d * c2 + spline0_ik310 * c2d) * c2 +
-            spline0_ik310 * c2 * c2d) * c2 + spline0_ik310 * c2 * c2 * c2d) - t17 * t16d) * t16inv;
-        f0d = t17d + p_iik3d - ((spline0_ik30d * h3_3 + spline0_ik30 * h3_3d) * h3_3 + spline0_ik30
-            * h3_3 * h3_3d) / 6.0 + (ed * c2 + e * c2d);
-        t18 = 2.0 * h3_3;
-        t18d = 2.0 * h3_3d;
-        t19 = (spline0_ik310 * c2 * c2 - spline0_ik30 * a * a) / t18;
-        t18inv = 1.0 / t18;
-        t19d = ((spline0_ik310d * c2 + spline0_ik310 * c2d) * c2 + spline0_ik310 * c2 * c2d -
-            ((spline0_ik30d * a + spline0_ik30 * ad) * a + spline0_ik30 * a * ad) - t19 * t18d) *
-            t18inv;
-        f1d = t19d + ed;
-        t20 = (spline0_ik30 * a + spline0_ik310 * c2) / h3_3;
-        t20d = (spline0_ik30d * a + spline0_ik30 * ad + (spline0_ik310d * c2 + spline0_ik310 * c2d)
-            - t20 * h3_3d) * h3_3inv;
-        f2d = t20d;
+            spline0_ik310 * c2 * c2d) * c2 + spline0_ik310 * c2 * c2 * c2d) - t18 * t17d) * t17inv;
+        f0d = t18d + p_iik3d - ((spline0_ik30d * h4_3 + spline0_ik30 * h4_3d) * h4_3 + spline0_ik30
+            * h4_3 * h4_3d) / 6.0 + (ed * c2 + e * c2d);
+        t19 = 2.0 * h4_3;
+        t19d = 2.0 * h4_3d;
+        t20 = (spline0_ik310 * c2 * c2 - spline0_ik30 * a * a) / t19;
+        t19inv = 1.0 / t19;
+        t20d = ((spline0_ik310d * c2 + spline0_ik310 * c2d) * c2 + spline0_ik310 * c2 * c2d -
+            ((spline0_ik30d * a + spline0_ik30 * ad) * a + spline0_ik30 * a * ad) - t20 * t19d) *
+            t19inv;
+        f1d = t20d + ed;
+        t21 = (spline0_ik30 * a + spline0_ik310 * c2) / h4_3;
+        t21d = (spline0_ik30d * a + spline0_ik30 * ad + (spline0_ik310d * c2 + spline0_ik310 * c2d)
+            - t21 * h4_3d) * h4_3inv;
+        f2d = t21d;
       }
     }
     fund[i][0] = f0d;

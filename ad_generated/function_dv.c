@@ -129,12 +129,12 @@ void maggi_functions_dv(const maggi_topo *t, const double p[restrict t->np],
                         double fund[restrict t->nfun][3][MAGGI_NDIR], int nbdirs)
 {
   int i, is_k2, is_k2_2, is_k2_3, is_k2_4, k, k2, k3, nd;
-  double a, c, c2, c3, c4, e, h, h2, h2inv, h3, h3_2, h3_2inv, h3_3, h3_3inv, h3inv, hinv, moves,
-      p_i, p_i1, p_i2, p_i2_2, p_i3, p_i3_2, p_i4, p_ii, p_ii1, p_iii1, p_iik2, p_iik21, p_iik3,
-      p_ik2, p_ik3, p_ik31, s, slope, slope2, spline0_ik30, spline0_ik310, t10, t11, t11inv, t12,
-      t13, t14, t15, t16, t16inv, t17, t18, t18inv, t19, t2, t20, t3, t4, t5, t6, t7, t8, t8inv, t9,
-      x, x2;
-  double f0d[MAGGI_NDIR], f1d[MAGGI_NDIR], f2d[MAGGI_NDIR];
+  double a, c, c2, c3, c4, e, h, h2, h2inv, h3, h3inv, h4, h4_2, h4_2inv, h4_3, h4_3inv, h4inv,
+      hinv, moves, p_i, p_i1, p_i2, p_i2_2, p_i3, p_i3_2, p_i3_3, p_i3_4, p_i4, p_i5, p_ii, p_ii1,
+      p_iii1, p_iik2, p_iik21, p_iik3, p_ik2, p_ik3, p_ik31, s, slope, slope2, spline0_ik30,
+      spline0_ik310, t10, t11, t11inv, t12, t13, t14, t15, t16, t17, t17inv, t18, t19, t19inv, t2,
+      t20, t21, t3, t4, t5, t6, t7, t8, t8inv, t9, x, x2, x3;
+  double f0d[MAGGI_NDIR], f1d[MAGGI_NDIR], f2d[MAGGI_NDIR], h3d[MAGGI_NDIR], x3d[MAGGI_NDIR];
 
   (void)fun;
   (void)nbdirs;
@@ -311,50 +311,105 @@ void maggi_functions_dv(const maggi_topo *t, const double p[restrict t->np],
           }
         }
       }
+    } else if (t->funkind[i] == MAGGI_FUNCTION_RAMP) {
+      p_i4 = p[t->funadr[i]];
+      h3 = p[t->funadr[i] + 1] - p_i4;
+      x3 = (time - p_i4) / h3;
+      h3inv = 1.0 / h3;
+#pragma omp simd
+      for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+        double p_i4d;
+
+        p_i4d = pd[t->funadr[i]][nd];
+        /* y0, then its rate rises as a quintic step, h x^4 (5/2 - 3 x + x^2), then it is straight */
+        h3d[nd] = pd[t->funadr[i] + 1][nd] - p_i4d;
+        x3d[nd] = (-p_i4d - x3 * h3d[nd]) * h3inv;
+      }
+      if (MAGGI_RE(time) <= MAGGI_RE(p[t->funadr[i]])) {
+#pragma omp simd
+        for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+          f0d[nd] = pd[t->funadr[i] + 2][nd];
+          f1d[nd] = 0.0;
+          f2d[nd] = 0.0;
+        }
+      } else if (MAGGI_RE(time) >= MAGGI_RE(p[t->funadr[i] + 1])) {
+        p_i3_3 = p[t->funadr[i] + 3];
+#pragma omp simd
+        for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+          double p_i3_3d;
+
+          p_i3_3d = pd[t->funadr[i] + 3][nd];
+          f0d[nd] = pd[t->funadr[i] + 2][nd] + (p_i3_3d * (time - 0.5 * (p[t->funadr[i]] +
+              p[t->funadr[i] + 1])) - p_i3_3 * (0.5 * (pd[t->funadr[i]][nd] + pd[t->funadr[i] +
+              1][nd])));
+          f1d[nd] = p_i3_3d;
+          f2d[nd] = 0.0;
+        }
+      } else {
+        p_i3_4 = p[t->funadr[i] + 3];
+        t13 = p_i3_4 / h3;
+#pragma omp simd
+        for (nd = 0; nd < MAGGI_NDIR; ++nd) {
+          double p_i3_4d, t13d;
+
+          p_i3_4d = pd[t->funadr[i] + 3][nd];
+          f0d[nd] = pd[t->funadr[i] + 2][nd] + ((((((p_i3_4d * h3 + p_i3_4 * h3d[nd]) * x3 + p_i3_4
+              * h3 * x3d[nd]) * x3 + p_i3_4 * h3 * x3 * x3d[nd]) * x3 + p_i3_4 * h3 * x3 * x3 *
+              x3d[nd]) * x3 + p_i3_4 * h3 * x3 * x3 * x3 * x3d[nd]) * (2.5 + x3 * (-3.0 + x3)) +
+              p_i3_4 * h3 * x3 * x3 * x3 * x3 * (x3d[nd] * (-3.0 + x3) + x3 * x3d[nd]));
+          f1d[nd] = (((p_i3_4d * x3 + p_i3_4 * x3d[nd]) * x3 + p_i3_4 * x3 * x3d[nd]) * x3 + p_i3_4
+              * x3 * x3 * x3d[nd]) * (10.0 + x3 * (-15.0 + 6.0 * x3)) + p_i3_4 * x3 * x3 * x3 *
+              (x3d[nd] * (-15.0 + 6.0 * x3) + x3 * (6.0 * x3d[nd]));
+          t13d = (p_i3_4d - t13 * h3d[nd]) * h3inv;
+          f2d[nd] = ((t13d * 30.0 * x3 + t13 * 30.0 * x3d[nd]) * x3 + t13 * 30.0 * x3 * x3d[nd]) *
+              (1.0 + x3 * (-2.0 + x3)) + t13 * 30.0 * x3 * x3 * (x3d[nd] * (-2.0 + x3) + x3 *
+              x3d[nd]);
+        }
+      }
     } else {
       k3 = maggi_piece(t->np, p, t->funadr[i], t->funn[i], time);
       if (k3 < 0) {
-        p_i4 = p[t->funadr[i]];
-        h3 = p[t->funadr[i] + 1] - p_i4;
+        p_i5 = p[t->funadr[i]];
+        h4 = p[t->funadr[i] + 1] - p_i5;
         p_ii = p[t->funadr[i] + t->funn[i]];
-        t13 = (p[t->funadr[i] + t->funn[i] + 1] - p_ii) / h3;
-        h3inv = 1.0 / h3;
-        slope = t13 - h3 / 6.0 * (2.0 * spline0[t->funspline[i]][0] + spline0[t->funspline[i] +
+        t14 = (p[t->funadr[i] + t->funn[i] + 1] - p_ii) / h4;
+        h4inv = 1.0 / h4;
+        slope = t14 - h4 / 6.0 * (2.0 * spline0[t->funspline[i]][0] + spline0[t->funspline[i] +
             1][0]);
 #pragma omp simd
         for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-          double h3d, p_i4d, p_iid, sloped, t13d;
+          double h4d, p_i5d, p_iid, sloped, t14d;
 
-          p_i4d = pd[t->funadr[i]][nd];
-          h3d = pd[t->funadr[i] + 1][nd] - p_i4d;
+          p_i5d = pd[t->funadr[i]][nd];
+          h4d = pd[t->funadr[i] + 1][nd] - p_i5d;
           p_iid = pd[t->funadr[i] + t->funn[i]][nd];
-          t13d = (pd[t->funadr[i] + t->funn[i] + 1][nd] - p_iid - t13 * h3d) * h3inv;
-          sloped = t13d - (h3d / 6.0 * (2.0 * spline0[t->funspline[i]][0] + spline0[t->funspline[i]
-              + 1][0]) + h3 / 6.0 * (2.0 * spline0d[t->funspline[i]][0][nd] +
+          t14d = (pd[t->funadr[i] + t->funn[i] + 1][nd] - p_iid - t14 * h4d) * h4inv;
+          sloped = t14d - (h4d / 6.0 * (2.0 * spline0[t->funspline[i]][0] + spline0[t->funspline[i]
+              + 1][0]) + h4 / 6.0 * (2.0 * spline0d[t->funspline[i]][0][nd] +
               spline0d[t->funspline[i] + 1][0][nd]));
-          f0d[nd] = p_iid + (sloped * (time - p_i4) - slope * p_i4d);
+          f0d[nd] = p_iid + (sloped * (time - p_i5) - slope * p_i5d);
           f1d[nd] = sloped;
           f2d[nd] = 0.0;
         }
       } else if (k3 > t->funn[i] - 2) {
         p_ii1 = p[t->funadr[i] + t->funn[i] - 1];
-        h3_2 = p_ii1 - p[t->funadr[i] + t->funn[i] - 2];
+        h4_2 = p_ii1 - p[t->funadr[i] + t->funn[i] - 2];
         p_iii1 = p[t->funadr[i] + t->funn[i] + t->funn[i] - 1];
-        t14 = (p_iii1 - p[t->funadr[i] + t->funn[i] + t->funn[i] - 2]) / h3_2;
-        h3_2inv = 1.0 / h3_2;
-        slope2 = t14 + h3_2 / 6.0 * (spline0[t->funspline[i] + t->funn[i] - 2][0] + 2.0 *
+        t15 = (p_iii1 - p[t->funadr[i] + t->funn[i] + t->funn[i] - 2]) / h4_2;
+        h4_2inv = 1.0 / h4_2;
+        slope2 = t15 + h4_2 / 6.0 * (spline0[t->funspline[i] + t->funn[i] - 2][0] + 2.0 *
             spline0[t->funspline[i] + t->funn[i] - 1][0]);
 #pragma omp simd
         for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-          double h3_2d, p_ii1d, p_iii1d, slope2d, t14d;
+          double h4_2d, p_ii1d, p_iii1d, slope2d, t15d;
 
           p_ii1d = pd[t->funadr[i] + t->funn[i] - 1][nd];
-          h3_2d = p_ii1d - pd[t->funadr[i] + t->funn[i] - 2][nd];
+          h4_2d = p_ii1d - pd[t->funadr[i] + t->funn[i] - 2][nd];
           p_iii1d = pd[t->funadr[i] + t->funn[i] + t->funn[i] - 1][nd];
-          t14d = (p_iii1d - pd[t->funadr[i] + t->funn[i] + t->funn[i] - 2][nd] - t14 * h3_2d) *
-              h3_2inv;
-          slope2d = t14d + (h3_2d / 6.0 * (spline0[t->funspline[i] + t->funn[i] - 2][0] + 2.0 *
-              spline0[t->funspline[i] + t->funn[i] - 1][0]) + h3_2 / 6.0 * (spline0d[t->funspline[i]
+          t15d = (p_iii1d - pd[t->funadr[i] + t->funn[i] + t->funn[i] - 2][nd] - t15 * h4_2d) *
+              h4_2inv;
+          slope2d = t15d + (h4_2d / 6.0 * (spline0[t->funspline[i] + t->funn[i] - 2][0] + 2.0 *
+              spline0[t->funspline[i] + t->funn[i] - 1][0]) + h4_2 / 6.0 * (spline0d[t->funspline[i]
               + t->funn[i] - 2][0][nd] + 2.0 * spline0d[t->funspline[i] + t->funn[i] - 1][0][nd]));
           f0d[nd] = p_iii1d + (slope2d * (time - p_ii1) - slope2 * p_ii1d);
           f1d[nd] = slope2d;
@@ -363,53 +418,53 @@ void maggi_functions_dv(const maggi_topo *t, const double p[restrict t->np],
       } else {
         p_ik31 = p[t->funadr[i] + k3 + 1];
         p_ik3 = p[t->funadr[i] + k3];
-        h3_3 = p_ik31 - p_ik3;
+        h4_3 = p_ik31 - p_ik3;
         a = p_ik31 - time;
         c2 = time - p_ik3;
         p_iik3 = p[t->funadr[i] + t->funn[i] + k3];
-        t15 = (p[t->funadr[i] + t->funn[i] + k3 + 1] - p_iik3) / h3_3;
-        h3_3inv = 1.0 / h3_3;
+        t16 = (p[t->funadr[i] + t->funn[i] + k3 + 1] - p_iik3) / h4_3;
+        h4_3inv = 1.0 / h4_3;
         spline0_ik310 = spline0[t->funspline[i] + k3 + 1][0];
         spline0_ik30 = spline0[t->funspline[i] + k3][0];
-        e = t15 - h3_3 / 6.0 * (spline0_ik310 - spline0_ik30);
-        t16 = 6.0 * h3_3;
-        t17 = (spline0_ik30 * a * a * a + spline0_ik310 * c2 * c2 * c2) / t16;
-        t16inv = 1.0 / t16;
-        t18 = 2.0 * h3_3;
-        t19 = (spline0_ik310 * c2 * c2 - spline0_ik30 * a * a) / t18;
-        t18inv = 1.0 / t18;
-        t20 = (spline0_ik30 * a + spline0_ik310 * c2) / h3_3;
+        e = t16 - h4_3 / 6.0 * (spline0_ik310 - spline0_ik30);
+        t17 = 6.0 * h4_3;
+        t18 = (spline0_ik30 * a * a * a + spline0_ik310 * c2 * c2 * c2) / t17;
+        t17inv = 1.0 / t17;
+        t19 = 2.0 * h4_3;
+        t20 = (spline0_ik310 * c2 * c2 - spline0_ik30 * a * a) / t19;
+        t19inv = 1.0 / t19;
+        t21 = (spline0_ik30 * a + spline0_ik310 * c2) / h4_3;
 #pragma omp simd
         for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-          double ad, c2d, ed, h3_3d, p_iik3d, p_ik31d, p_ik3d, spline0_ik30d, spline0_ik310d, t15d,
-              t16d, t17d, t18d, t19d, t20d;
+          double ad, c2d, ed, h4_3d, p_iik3d, p_ik31d, p_ik3d, spline0_ik30d, spline0_ik310d, t16d,
+              t17d, t18d, t19d, t20d, t21d;
 
           p_ik31d = pd[t->funadr[i] + k3 + 1][nd];
           p_ik3d = pd[t->funadr[i] + k3][nd];
-          h3_3d = p_ik31d - p_ik3d;
+          h4_3d = p_ik31d - p_ik3d;
           ad = p_ik31d;
           c2d = -p_ik3d;
           p_iik3d = pd[t->funadr[i] + t->funn[i] + k3][nd];
-          t15d = (pd[t->funadr[i] + t->funn[i] + k3 + 1][nd] - p_iik3d - t15 * h3_3d) * h3_3inv;
+          t16d = (pd[t->funadr[i] + t->funn[i] + k3 + 1][nd] - p_iik3d - t16 * h4_3d) * h4_3inv;
           spline0_ik310d = spline0d[t->funspline[i] + k3 + 1][0][nd];
           spline0_ik30d = spline0d[t->funspline[i] + k3][0][nd];
-          ed = t15d - (h3_3d / 6.0 * (spline0_ik310 - spline0_ik30) + h3_3 / 6.0 * (spline0_ik310d -
+          ed = t16d - (h4_3d / 6.0 * (spline0_ik310 - spline0_ik30) + h4_3 / 6.0 * (spline0_ik310d -
               spline0_ik30d));
-          t16d = 6.0 * h3_3d;
-          t17d = (((spline0_ik30d * a + spline0_ik30 * ad) * a + spline0_ik30 * a * ad) * a +
+          t17d = 6.0 * h4_3d;
+          t18d = (((spline0_ik30d * a + spline0_ik30 * ad) * a + spline0_ik30 * a * ad) * a +
               spline0_ik30 * a * a * ad + (((spline0_ik310d * c2 + spline0_ik310 * c2d) * c2 +
-              spline0_ik310 * c2 * c2d) * c2 + spline0_ik310 * c2 * c2 * c2d) - t17 * t16d) *
-              t16inv;
-          f0d[nd] = t17d + p_iik3d - ((spline0_ik30d * h3_3 + spline0_ik30 * h3_3d) * h3_3 +
-              spline0_ik30 * h3_3 * h3_3d) / 6.0 + (ed * c2 + e * c2d);
-          t18d = 2.0 * h3_3d;
-          t19d = ((spline0_ik310d * c2 + spline0_ik310 * c2d) * c2 + spline0_ik310 * c2 * c2d -
-              ((spline0_ik30d * a + spline0_ik30 * ad) * a + spline0_ik30 * a * ad) - t19 * t18d) *
-              t18inv;
-          f1d[nd] = t19d + ed;
-          t20d = (spline0_ik30d * a + spline0_ik30 * ad + (spline0_ik310d * c2 + spline0_ik310 *
-              c2d) - t20 * h3_3d) * h3_3inv;
-          f2d[nd] = t20d;
+              spline0_ik310 * c2 * c2d) * c2 + spline0_ik310 * c2 * c2 * c2d) - t18 * t17d) *
+              t17inv;
+          f0d[nd] = t18d + p_iik3d - ((spline0_ik30d * h4_3 + spline0_ik30 * h4_3d) * h4_3 +
+              spline0_ik30 * h4_3 * h4_3d) / 6.0 + (ed * c2 + e * c2d);
+          t19d = 2.0 * h4_3d;
+          t20d = ((spline0_ik310d * c2 + spline0_ik310 * c2d) * c2 + spline0_ik310 * c2 * c2d -
+              ((spline0_ik30d * a + spline0_ik30 * ad) * a + spline0_ik30 * a * ad) - t20 * t19d) *
+              t19inv;
+          f1d[nd] = t20d + ed;
+          t21d = (spline0_ik30d * a + spline0_ik30 * ad + (spline0_ik310d * c2 + spline0_ik310 *
+              c2d) - t21 * h4_3d) * h4_3inv;
+          f2d[nd] = t21d;
         }
       }
     }

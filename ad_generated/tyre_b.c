@@ -80,21 +80,21 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
       tb168, tb169, tb17, tb170, tb171, tb172, tb173, tb174, tb175, tb176, tb177, tb178, tb179,
       tb18, tb180, tb181, tb182, tb183, tb184, tb185, tb186, tb187, tb188, tb189, tb19, tb190,
       tb191, tb192, tb193, tb194, tb195, tb196, tb197, tb198, tb199, tb2, tb20, tb200, tb201, tb202,
-      tb203, tb204, tb205, tb206, tb207, tb208, tb209, tb21, tb210, tb211, tb212, tb22, tb23, tb24,
-      tb25, tb26, tb27, tb28, tb29, tb3, tb30, tb31, tb32, tb33, tb34, tb35, tb36, tb37, tb38, tb39,
-      tb4, tb40, tb41, tb42, tb43, tb44, tb45, tb46, tb47, tb48, tb49, tb5, tb50, tb51, tb52, tb53,
-      tb54, tb55, tb56, tb57, tb58, tb59, tb6, tb60, tb61, tb62, tb63, tb64, tb65, tb66, tb67, tb68,
-      tb69, tb7, tb70, tb71, tb72, tb73, tb74, tb75, tb76, tb77, tb78, tb79, tb8, tb80, tb81, tb82,
-      tb83, tb84, tb85, tb86, tb87, tb88, tb89, tb9, tb90, tb91, tb92, tb93, tb94, tb95, tb96, tb97,
-      tb98, tb99, u0, u0b, u1, u1b, u2, u2_2, u2_2b, u2b, u3, u3b, ua0, ua0b, ua1, ua1b, ua2, ua2b,
-      un0, un0b, un1, un1b, un2, un2b, v0, v0b, v1, v1b, v2, v2b, vr0, vr0b, vr1, vr1b, vr2, vr2b,
-      vx, vxb, w, w2, w2b, w3, w3b, way, way2, way3, way3b, wb, wr0, wr0b, wr1, wr1b, wr2, wr2b, x,
-      x2, x2b, x3, x3b, x4, x4b, x50, x50b, x51, x51b, x52, x52b, x53, x53b, x54, x54b, x55, x55b,
-      x6, x6b, x7, x7b, x8, x8b, x9, x9b, xb, y, y10, y10b, y11, y11b, y12, y12b, y13, y13b, y14,
-      y14b, y15, y15b, y16, y16b, y17, y17b, y18, y18b, y19, y19b, y2, y20, y20b, y2b, y3, y3b, y40,
-      y40b, y41, y41b, y42, y42b, y43, y43b, y44, y44b, y45, y45b, y5, y5b, y6, y6b, y7, y7b, y8,
-      y8b, y9, y9b, yb, z0, z0b, z1, z1b, z2, z2_2, z2_2b, z2_3, z2_3b, z2b, z3, z3_2, z3_2b, z3_3,
-      z3_3b, z3b, z40, z40b, z41b, z5, z5b, z6, z6b, z7, z7b;
+      tb203, tb204, tb205, tb206, tb207, tb208, tb209, tb21, tb22, tb23, tb24, tb25, tb26, tb27,
+      tb28, tb29, tb3, tb30, tb31, tb32, tb33, tb34, tb35, tb36, tb37, tb38, tb39, tb4, tb40, tb41,
+      tb42, tb43, tb44, tb45, tb46, tb47, tb48, tb49, tb5, tb50, tb51, tb52, tb53, tb54, tb55, tb56,
+      tb57, tb58, tb59, tb6, tb60, tb61, tb62, tb63, tb64, tb65, tb66, tb67, tb68, tb69, tb7, tb70,
+      tb71, tb72, tb73, tb74, tb75, tb76, tb77, tb78, tb79, tb8, tb80, tb81, tb82, tb83, tb84, tb85,
+      tb86, tb87, tb88, tb89, tb9, tb90, tb91, tb92, tb93, tb94, tb95, tb96, tb97, tb98, tb99, u0,
+      u0b, u1, u1b, u2, u2_2, u2_2b, u2b, u3, u3b, ua0, ua0b, ua1, ua1b, ua2, ua2b, un0, un0b, un1,
+      un1b, un2, un2b, v0, v0b, v1, v1b, v2, v2b, vr0, vr0b, vr1, vr1b, vr2, vr2b, vx, vxb, w, w2,
+      w2b, w3, w3b, way, way2, way3, way3b, wb, wr0, wr0b, wr1, wr1b, wr2, wr2b, x, x2, x2b, x3,
+      x3b, x4, x4b, x50, x50b, x51, x51b, x52, x52b, x53, x53b, x54, x54b, x55, x55b, x6, x6b, x7,
+      x7b, x8, x8b, x9, x9b, xb, y, y10, y10b, y11, y11b, y12, y12b, y13, y13b, y14, y14b, y15,
+      y15b, y16, y16b, y17, y17b, y18, y18b, y19, y19b, y2, y20, y20b, y2b, y3, y3b, y40, y40b, y41,
+      y41b, y42, y42b, y43, y43b, y44, y44b, y45, y45b, y5, y5b, y6, y6b, y7, y7b, y8, y8b, y9, y9b,
+      yb, z0, z0b, z1, z1b, z2, z2_2, z2_2b, z2_3, z2_3b, z2b, z3, z3_2, z3_2b, z3_3, z3_3b, z3b,
+      z40, z40b, z41b, z5, z5b, z6, z6b, z7, z7b;
 
   for (i = t->nwheel - 1; i >= 0; --i) {
     road = t->wheelroad[i];
@@ -331,12 +331,13 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
     z1 = c;
     z2_2 = w;
     z3_2 = h12;
-    Z_i3 = Z[t->wheelcarrier[i]][3];
-    wr0 = Z_i3;
-    Z_i4 = Z[t->wheelcarrier[i]][4];
-    wr1 = Z_i4;
-    Z_i5 = Z[t->wheelcarrier[i]][5];
-    wr2 = Z_i5;
+    Z_i3 = Z[t->wheelbody[i]][3];
+    Z_i4 = Z[t->wheelbody[i]][4];
+    Z_i5 = Z[t->wheelbody[i]][5];
+    omega = Z_i3 * u0 + Z_i4 * u1 + Z_i5 * u2_2;
+    wr0 = Z_i3 - omega * u0;
+    wr1 = Z_i4 - omega * u1;
+    wr2 = Z_i5 - omega * u2_2;
     vr0 = wr1 * arm2 - wr2 * arm1;
     vr1 = wr2 * arm0 - wr0 * arm2;
     vr2 = wr0 * arm1 - wr1 * arm0;
@@ -345,8 +346,6 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
     v2 = rv[t->wheelpoint[i]][2] + vr2;
     vx = slip[i][MAGGI_SLIP_VX];
     rhov = (z3_2 * v0 - (v0 * N0 + v1 * N1 + v2 * N2)) / z2_2;
-    omega = (Z[t->wheelbody[i]][3] - Z_i3) * u0 + (Z[t->wheelbody[i]][4] - Z_i4) * u1 +
-        (Z[t->wheelbody[i]][5] - Z_i5) * u2_2;
     fz = slip[i][MAGGI_SLIP_FZ];
     fz0 = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LFZO] * p[t->tyreadr[t->wheeltyre[i]]];
     if (MAGGI_RE(fz) > 0.0) {
@@ -383,36 +382,36 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
     f_i3 = f[i][3];
     f_i4 = f[i][4];
     f_i5 = f[i][5];
-    tb212 = Fb[i][5];
+    tb209 = Fb[i][5];
     Fb[i][5] = 0.0;
-    moment2b = tb212;
-    f_i3b = tb212 * T2;
-    T2b = tb212 * f_i3;
-    f_i4b = tb212 * L2;
-    L2b = tb212 * f_i4;
-    f_i5b = tb212 * N2;
-    N2b = tb212 * f_i5;
+    moment2b = tb209;
+    f_i3b = tb209 * T2;
+    T2b = tb209 * f_i3;
+    f_i4b = tb209 * L2;
+    L2b = tb209 * f_i4;
+    f_i5b = tb209 * N2;
+    N2b = tb209 * f_i5;
     force32b = Fb[i][2];
     Fb[i][2] = 0.0;
-    tb211 = Fb[i][4];
+    tb208 = Fb[i][4];
     Fb[i][4] = 0.0;
-    moment1b = tb211;
-    f_i3b += tb211 * T1;
-    T1b = tb211 * f_i3;
-    f_i4b += tb211 * L1;
-    L1b = tb211 * f_i4;
-    f_i5b += tb211 * N1;
+    moment1b = tb208;
+    f_i3b += tb208 * T1;
+    T1b = tb208 * f_i3;
+    f_i4b += tb208 * L1;
+    L1b = tb208 * f_i4;
+    f_i5b += tb208 * N1;
     force31b = Fb[i][1];
     Fb[i][1] = 0.0;
-    tb210 = Fb[i][3];
+    tb207 = Fb[i][3];
     Fb[i][3] = 0.0;
-    moment0b = tb210;
-    f_i3b += tb210 * T0;
-    T0b = tb210 * f_i3;
-    f_i4b += tb210 * L0;
-    L0b = tb210 * f_i4;
-    f_i5b += tb210 * N0;
-    N0b = tb210 * f_i5;
+    moment0b = tb207;
+    f_i3b += tb207 * T0;
+    T0b = tb207 * f_i3;
+    f_i4b += tb207 * L0;
+    L0b = tb207 * f_i4;
+    f_i5b += tb207 * N0;
+    N0b = tb207 * f_i5;
     fb[i][5] += f_i5b;
     fb[i][4] += f_i4b;
     fb[i][3] += f_i3b;
@@ -757,104 +756,104 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
         z41b = force5b;
         s4b = force5b * fx;
         fxb = force5b * s4;
-        tb202 = force4b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMY];
-        tb203 = tb202 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY1] + t120 +
+        tb199 = force4b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMY];
+        tb200 = tb199 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY1] + t120 +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY3] * way3 * speed2 +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY4] * speed2 * speed2 * speed2 * speed2);
-        tb204 = tb203 * fz2;
-        way3b = -(tb204 * r0);
-        r0b = -(tb204 * way3);
-        fz2b = tb203 * (-way3 * r0);
-        tb205 = tb202 * (-way3 * r0 * fz2);
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY1] += tb205;
-        t120b = tb205;
+        tb201 = tb200 * fz2;
+        way3b = -(tb201 * r0);
+        r0b = -(tb201 * way3);
+        fz2b = tb200 * (-way3 * r0);
+        tb202 = tb199 * (-way3 * r0 * fz2);
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY1] += tb202;
+        t120b = tb202;
+        tb203 = tb202 * speed2;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY3] += tb203 * way3;
+        way3b += tb203 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY3];
+        speed2b = tb202 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY3] * way3);
+        tb204 = tb202 * speed2;
+        tb205 = tb204 * speed2;
         tb206 = tb205 * speed2;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY3] += tb206 * way3;
-        way3b += tb206 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY3];
-        speed2b = tb205 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY3] * way3);
-        tb207 = tb205 * speed2;
-        tb208 = tb207 * speed2;
-        tb209 = tb208 * speed2;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY4] += tb209 * speed2;
-        speed2b += tb209 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY4];
-        speed2b += tb208 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY4] * speed2);
-        speed2b += tb207 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY4] * speed2 * speed2);
-        speed2b += tb205 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY4] * speed2 * speed2 *
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY4] += tb206 * speed2;
+        speed2b += tb206 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY4];
+        speed2b += tb205 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY4] * speed2);
+        speed2b += tb204 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY4] * speed2 * speed2);
+        speed2b += tb202 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY4] * speed2 * speed2 *
             speed2);
         pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMY] += force4b * (-way3 * r0 * fz2 *
             (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY1] + t120 + p[t->tyreadr[t->wheeltyre[i]]
             + MAGGI_TYRE_QSY3] * way3 * speed2 + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY4] *
             speed2 * speed2 * speed2 * speed2));
-        tb201 = t120b / fz0_2;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY2] += tb201 * fx;
-        fxb += tb201 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY2];
-        fz0_2b = -(tb201 * t120);
-        tb198 = force3_2b * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSX1] *
+        tb198 = t120b / fz0_2;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY2] += tb198 * fx;
+        fxb += tb198 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY2];
+        fz0_2b = -(tb198 * t120);
+        tb195 = force3_2b * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSX1] *
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LVMX] + (-p[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_QSX2] * gamma + t119) * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMX]);
-        r0b += tb198 * fz2;
-        fz2b += tb198 * r0;
-        tb199 = force3_2b * (r0 * fz2);
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSX1] += tb199 * p[t->tyreadr[t->wheeltyre[i]] +
+        r0b += tb195 * fz2;
+        fz2b += tb195 * r0;
+        tb196 = force3_2b * (r0 * fz2);
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSX1] += tb196 * p[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_LVMX];
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LVMX] += tb199 * p[t->tyreadr[t->wheeltyre[i]] +
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LVMX] += tb196 * p[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_QSX1];
-        tb200 = tb199 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMX];
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSX2] -= tb200 * gamma;
-        gammab = -(tb200 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSX2]);
-        t119b = tb200;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMX] += tb199 * (-p[t->tyreadr[t->wheeltyre[i]]
+        tb197 = tb196 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMX];
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSX2] -= tb197 * gamma;
+        gammab = -(tb197 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSX2]);
+        t119b = tb197;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMX] += tb196 * (-p[t->tyreadr[t->wheeltyre[i]]
             + MAGGI_TYRE_QSX2] * gamma + t119);
-        tb197 = t119b / fz0_2;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSX3] += tb197 * force2;
-        force2b = tb197 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSX3];
-        fz0_2b -= tb197 * t119;
+        tb194 = t119b / fz0_2;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSX3] += tb194 * force2;
+        force2b = tb194 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSX3];
+        fz0_2b -= tb194 * t119;
         fz2b += force2_2b;
         force2b += force1b;
         fxb += force0b;
-        tb196 = speed2b / p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LONGVL];
-        one4b = tb196;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LONGVL] -= tb196 * speed2;
+        tb193 = speed2b / p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LONGVL];
+        one4b = tb193;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LONGVL] -= tb193 * speed2;
         t118b = way3b * (1.0 - way3 * way3);
-        tb195 = t118b / p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LOW_SPEED];
-        one4b += tb195;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LOW_SPEED] -= tb195 * t118;
-        tb192 = s4b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LS];
-        tb193 = tb192 * r0;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ1] += tb193;
-        t117b = tb193;
-        tb194 = tb193 * gamma;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ3] += tb194;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ4] += tb194 * dfz;
-        dfzb = tb194 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ4];
-        gammab += tb193 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ3] +
+        tb192 = t118b / p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LOW_SPEED];
+        one4b += tb192;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LOW_SPEED] -= tb192 * t118;
+        tb189 = s4b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LS];
+        tb190 = tb189 * r0;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ1] += tb190;
+        t117b = tb190;
+        tb191 = tb190 * gamma;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ3] += tb191;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ4] += tb191 * dfz;
+        dfzb = tb191 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ4];
+        gammab += tb190 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ3] +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ4] * dfz);
-        r0b += tb192 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ1] + t117 +
+        r0b += tb189 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ1] + t117 +
             (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ3] + p[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_SSZ4] * dfz) * gamma);
         pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LS] += s4b * ((p[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_SSZ1] + t117 + (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ3] +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ4] * dfz) * gamma) * r0);
-        tb191 = t117b / fz0_2;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ2] += tb191 * force2;
-        force2b += tb191 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ2];
-        fz0_2b -= tb191 * t117;
+        tb188 = t117b / fz0_2;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ2] += tb188 * force2;
+        force2b += tb188 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ2];
+        fz0_2b -= tb188 * t117;
         fyb += force2b;
         g28b = force2b;
-        tb190 = z41b * ca;
-        drb = tb190 * t116;
-        t116b = tb190 * dr;
+        tb187 = z41b * ca;
+        drb = tb187 * t116;
+        t116b = tb187 * dr;
         cab = z41b * (dr * t116);
-        tb189 = t116b / t115;
-        t115b = -(tb189 * t116);
+        tb186 = t116b / t115;
+        t115b = -(tb186 * t116);
         t114b = t115b * (1.0 / (2.0 * t115));
         x9b = t114b * x9;
         x9b += t114b * x9;
         brb = x9b * areq;
         areqb = x9b * br;
-        tb188 = z40b * ca;
-        dtb = tb188 * t113;
-        t113b = tb188 * dt;
+        tb185 = z40b * ca;
+        dtb = tb185 * t113;
+        t113b = tb185 * dt;
         cab += z40b * (dt * t113);
         t112b = -(t113b * sin(t112));
         pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QCZ1] += t112b * t111;
@@ -867,31 +866,31 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
         y20b += t109b * (1.0 / (1.0 + y20 * y20));
         btb = y20b * ateq;
         ateqb = y20b * bt;
-        tb187 = cab / t108;
-        t108b = -(tb187 * ca);
+        tb184 = cab / t108;
+        t108b = -(tb184 * ca);
         t107b = t108b * (1.0 / (2.0 * t108));
         a5b = t107b * a5;
         a5b += t107b * a5;
-        tb182 = drb * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUY];
-        tb183 = tb182 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_UNLOADED_RADIUS];
-        fz2b += tb183 * ((p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ6] +
+        tb179 = drb * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUY];
+        tb180 = tb179 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_UNLOADED_RADIUS];
+        fz2b += tb180 * ((p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ6] +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ7] * dfz) * p[t->tyreadr[t->wheeltyre[i]]
             + MAGGI_TYRE_LRES] + (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ8] +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ9] * dfz) * gz);
-        tb184 = tb183 * fz2;
-        tb185 = tb184 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LRES];
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ6] += tb185;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ7] += tb185 * dfz;
-        dfzb += tb185 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ7];
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LRES] += tb184 * (p[t->tyreadr[t->wheeltyre[i]]
+        tb181 = tb180 * fz2;
+        tb182 = tb181 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LRES];
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ6] += tb182;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ7] += tb182 * dfz;
+        dfzb += tb182 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ7];
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LRES] += tb181 * (p[t->tyreadr[t->wheeltyre[i]]
             + MAGGI_TYRE_QDZ6] + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ7] * dfz);
-        tb186 = tb184 * gz;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ8] += tb186;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ9] += tb186 * dfz;
-        dfzb += tb186 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ9];
-        gzb = tb184 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ8] +
+        tb183 = tb181 * gz;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ8] += tb183;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ9] += tb183 * dfz;
+        dfzb += tb183 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ9];
+        gzb = tb181 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ8] +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ9] * dfz);
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_UNLOADED_RADIUS] += tb182 * (fz2 *
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_UNLOADED_RADIUS] += tb179 * (fz2 *
             ((p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ6] + p[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_QDZ7] * dfz) * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LRES] +
             (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ8] + p[t->tyreadr[t->wheeltyre[i]] +
@@ -905,10 +904,10 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
         pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ9] += brb * scale;
         scaleb = brb * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ9];
         t106b = brb;
-        tb181 = t106b / y40;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ10] += tb181 * y43;
-        y43b = tb181 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ10];
-        y40b = -(tb181 * t106);
+        tb178 = t106b / y40;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ10] += tb178 * y43;
+        y43b = tb178 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ10];
+        y40b = -(tb178 * t106);
         y19b = etb;
         e11b = 0.0;
         /* a curvature: more than 1 would turn the curve around */
@@ -918,49 +917,49 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
           e11b += y19b;
           y19b = 0.0;
         }
-        tb176 = e11b * (1.0 + (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ4] +
+        tb173 = e11b * (1.0 + (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ4] +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ5] * gz) * 0.63661977236758134308 * t105);
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ1] += tb176;
-        tb177 = tb176 * dfz;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ2] += tb177;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ3] += tb177 * dfz;
-        dfzb += tb177 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ3];
-        dfzb += tb176 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ2] +
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ1] += tb173;
+        tb174 = tb173 * dfz;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ2] += tb174;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ3] += tb174 * dfz;
+        dfzb += tb174 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ3];
+        dfzb += tb173 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ2] +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ3] * dfz);
-        tb178 = e11b * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ1] +
+        tb175 = e11b * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ1] +
             (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ2] + p[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_QEZ3] * dfz) * dfz);
-        tb179 = tb178 * t105;
-        tb180 = tb179 * 0.63661977236758134308;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ4] += tb180;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ5] += tb180 * gz;
-        gzb += tb180 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ5];
-        t105b = tb178 * ((p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ4] +
+        tb176 = tb175 * t105;
+        tb177 = tb176 * 0.63661977236758134308;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ4] += tb177;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ5] += tb177 * gz;
+        gzb += tb177 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ5];
+        t105b = tb175 * ((p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ4] +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ5] * gz) * 0.63661977236758134308);
         t104b = t105b * (1.0 / (1.0 + t104 * t104));
-        tb175 = t104b * at;
-        btb += tb175 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QCZ1];
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QCZ1] += tb175 * bt;
+        tb172 = t104b * at;
+        btb += tb172 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QCZ1];
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QCZ1] += tb172 * bt;
         atb = t104b * (bt * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QCZ1]);
-        tb169 = dtb * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LTR];
-        tb170 = tb169 * t103;
-        tb171 = tb170 * (1.0 + (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ3] +
+        tb166 = dtb * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LTR];
+        tb167 = tb166 * t103;
+        tb168 = tb167 * (1.0 + (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ3] +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ4] * gz) * gz);
-        fz2b += tb171 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ1] +
+        fz2b += tb168 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ1] +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ2] * dfz);
-        tb172 = tb171 * fz2;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ1] += tb172;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ2] += tb172 * dfz;
-        dfzb += tb172 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ2];
-        tb173 = tb170 * (fz2 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ1] +
+        tb169 = tb168 * fz2;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ1] += tb169;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ2] += tb169 * dfz;
+        dfzb += tb169 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ2];
+        tb170 = tb167 * (fz2 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ1] +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ2] * dfz));
-        tb174 = tb173 * gz;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ3] += tb174;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ4] += tb174 * gz;
-        gzb += tb174 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ4];
-        gzb += tb173 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ3] +
+        tb171 = tb170 * gz;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ3] += tb171;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ4] += tb171 * gz;
+        gzb += tb171 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ4];
+        gzb += tb170 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ3] +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ4] * gz);
-        t103b = tb169 * (fz2 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ1] +
+        t103b = tb166 * (fz2 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ1] +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ2] * dfz) * (1.0 +
             (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ3] + p[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_QDZ4] * gz) * gz));
@@ -968,26 +967,26 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
             (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ1] + p[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_QDZ2] * dfz) * (1.0 + (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ3] +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ4] * gz) * gz) * t103);
-        tb168 = t103b / fz0_4;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_UNLOADED_RADIUS] += tb168;
-        fz0_4b = -(tb168 * t103);
-        tb164 = btb * scale;
-        tb165 = tb164 * (1.0 + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ4] * gz +
+        tb165 = t103b / fz0_4;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_UNLOADED_RADIUS] += tb165;
+        fz0_4b = -(tb165 * t103);
+        tb161 = btb * scale;
+        tb162 = tb161 * (1.0 + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ4] * gz +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ5] * y18);
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ1] += tb165;
-        tb166 = tb165 * dfz;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ2] += tb166;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ3] += tb166 * dfz;
-        dfzb += tb166 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ3];
-        dfzb += tb165 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ2] +
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ1] += tb162;
+        tb163 = tb162 * dfz;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ2] += tb163;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ3] += tb163 * dfz;
+        dfzb += tb163 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ3];
+        dfzb += tb162 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ2] +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ3] * dfz);
-        tb167 = tb164 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ1] +
+        tb164 = tb161 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ1] +
             (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ2] + p[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_QBZ3] * dfz) * dfz);
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ4] += tb167 * gz;
-        gzb += tb167 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ4];
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ5] += tb167 * y18;
-        y18b = tb167 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ5];
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ4] += tb164 * gz;
+        gzb += tb164 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ4];
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ5] += tb164 * y18;
+        y18b = tb164 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ5];
         scaleb += btb * ((p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ1] +
             (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ2] + p[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_QBZ3] * dfz) * dfz) * (1.0 + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ4]
@@ -1005,24 +1004,24 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
           p10 = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LOW_CAMBER];
           t102 = p10 * p10;
           z7 = gz * gz / t102;
-          tb162 = y18b * (15.0 + z7 * (-10.0 + 3.0 * z7));
-          p10b = tb162 * z7 * 0.125;
-          z7b = tb162 * (0.125 * p10);
-          tb163 = y18b * (0.125 * p10 * z7);
-          z7b += tb163 * (-10.0 + 3.0 * z7);
-          z7b += tb163 * z7 * 3.0;
+          tb159 = y18b * (15.0 + z7 * (-10.0 + 3.0 * z7));
+          p10b = tb159 * z7 * 0.125;
+          z7b = tb159 * (0.125 * p10);
+          tb160 = y18b * (0.125 * p10 * z7);
+          z7b += tb160 * (-10.0 + 3.0 * z7);
+          z7b += tb160 * z7 * 3.0;
           y18b = 0.0;
-          tb161 = z7b / t102;
-          gzb += tb161 * gz;
-          gzb += tb161 * gz;
-          t102b = -(tb161 * z7);
+          tb158 = z7b / t102;
+          gzb += tb158 * gz;
+          gzb += tb158 * gz;
+          t102b = -(tb158 * z7);
           p10b += t102b * p10;
           p10b += t102b * p10;
           pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LOW_CAMBER] += p10b;
         }
-        tb160 = scaleb / p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUY];
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LKY] += tb160;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUY] -= tb160 * scale;
+        tb157 = scaleb / p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUY];
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LKY] += tb157;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUY] -= tb157 * scale;
         t101b = areqb * (1.0 / (2.0 * areq));
         arb = t101b * ar;
         arb += t101b * ar;
@@ -1035,17 +1034,17 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
         ratio2b += t100b * ratio2;
         y44b = arb;
         t99b = arb;
-        tb159 = t99b / y43;
-        y45b = tb159;
-        y43b -= tb159 * t99;
+        tb156 = t99b / y43;
+        y45b = tb156;
+        y43b -= tb156 * t99;
         a5b += atb;
         pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QHZ1] += atb;
         pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QHZ2] += atb * dfz;
         dfzb += atb * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QHZ2];
-        tb158 = atb * gz;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QHZ3] += tb158;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QHZ4] += tb158 * dfz;
-        dfzb += tb158 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QHZ4];
+        tb155 = atb * gz;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QHZ3] += tb155;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QHZ4] += tb155 * dfz;
+        dfzb += tb155 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QHZ4];
         gzb += atb * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QHZ3] +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QHZ4] * dfz);
         gammab += gzb * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LGAZ];
@@ -1056,18 +1055,18 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
             p[t->tyreadr[t->wheeltyre[i]]];
         pb[t->tyreadr[t->wheeltyre[i]]] += fz0_4b * p[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_LFZO];
-        tb157 = ratio2b / y43;
-        x53b = tb157 * kappa;
-        kappab = tb157 * x53;
-        y43b -= tb157 * ratio2;
-        tb156 = fyb * t98;
-        y40b += tb156 * t87;
-        t87b = tb156 * y40;
-        y45b += tb156;
+        tb154 = ratio2b / y43;
+        x53b = tb154 * kappa;
+        kappab = tb154 * x53;
+        y43b -= tb154 * ratio2;
+        tb153 = fyb * t98;
+        y40b += tb153 * t87;
+        t87b = tb153 * y40;
+        y45b += tb153;
         t98b = fyb * (y40 * t87 + y45);
-        tb155 = t98b / t97;
-        t92b = tb155;
-        t97b = -(tb155 * t98);
+        tb152 = t98b / t97;
+        t92b = tb152;
+        t97b = -(tb152 * t98);
         t96b = -(t97b * sin(t96));
         g25b = t96b * t95;
         t95b = t96b * g25;
@@ -1098,24 +1097,24 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
         g24b = y17b * g27;
         g27b = y17b * g24;
         g24b += y16b * (kappa + g27);
-        tb154 = y16b * g24;
-        kappab += tb154;
-        g27b += tb154;
+        tb151 = y16b * g24;
+        kappab += tb151;
+        g27b += tb151;
         t82b = y15b * y44;
         y44b += y15b * t82;
-        tb153 = t82b / t81;
-        y43b += tb153;
-        t81b = -(tb153 * t82);
+        tb150 = t82b / t81;
+        y43b += tb150;
+        t81b = -(tb150 * t82);
         y41b += t81b * y40;
         y40b += t81b * y41;
-        tb152 = fxb * t80;
-        x50b = tb152 * t69;
-        t69b = tb152 * x50;
-        x55b = tb152;
+        tb149 = fxb * t80;
+        x50b = tb149 * t69;
+        t69b = tb149 * x50;
+        x55b = tb149;
         t80b = fxb * (x50 * t69 + x55);
-        tb151 = t80b / t79;
-        t74b = tb151;
-        t79b = -(tb151 * t80);
+        tb148 = t80b / t79;
+        t74b = tb148;
+        t79b = -(tb148 * t80);
         t78b = -(t79b * sin(t78));
         g21b = t78b * t77;
         t77b = t78b * g21;
@@ -1146,19 +1145,19 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
         g20b = y14b * g23;
         g23b = y14b * g20;
         g20b += y13b * (a5 + g23);
-        tb150 = y13b * g20;
-        a5b += tb150;
-        g23b += tb150;
+        tb147 = y13b * g20;
+        a5b += tb147;
+        g23b += tb147;
         t64b = y12b * x54;
         x54b = y12b * t64;
-        tb149 = t64b / t63;
-        x53b += tb149;
-        t63b = -(tb149 * t64);
+        tb146 = t64b / t63;
+        x53b += tb146;
+        t63b = -(tb146 * t64);
         x51b += t63b * x50;
         x50b += t63b * x51;
-        tb148 = g28b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LVYKA];
-        dvb = tb148 * t62;
-        t62b = tb148 * dv;
+        tb145 = g28b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LVYKA];
+        dvb = tb145 * t62;
+        t62b = tb145 * dv;
         pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LVYKA] += g28b * (dv * t62);
         t61b = t62b * cos(t61);
         pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY5] += t61b * t60;
@@ -1166,21 +1165,21 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
         t59b = t60b * (1.0 / (1.0 + t59 * t59));
         pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY6] += t59b * kappa;
         kappab += t59b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY6];
-        tb146 = dvb * t58;
-        peakb = tb146 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY1] +
+        tb143 = dvb * t58;
+        peakb = tb143 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY1] +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY2] * dfz + p[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_RVY3] * gamma);
-        tb147 = tb146 * peak;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY1] += tb147;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY2] += tb147 * dfz;
-        dfzb += tb147 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY2];
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY3] += tb147 * gamma;
-        gammab += tb147 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY3];
+        tb144 = tb143 * peak;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY1] += tb144;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY2] += tb144 * dfz;
+        dfzb += tb144 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY2];
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY3] += tb144 * gamma;
+        gammab += tb144 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY3];
         t58b = dvb * (peak * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY1] +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY2] * dfz + p[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_RVY3] * gamma));
-        tb145 = t58b / t57;
-        t57b = -(tb145 * t58);
+        tb142 = t58b / t57;
+        t57b = -(tb142 * t58);
         t56b = t57b * (1.0 / (2.0 * t57));
         x8b = t56b * x8;
         x8b += t56b * x8;
@@ -1202,21 +1201,21 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
         pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_REY2] += e10b * dfz;
         dfzb += e10b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_REY2];
         pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RCY1] += g25b;
-        tb144 = g24b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LYKA];
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY1] += tb144 * t55;
-        t55b = tb144 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY1];
+        tb141 = g24b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LYKA];
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY1] += tb141 * t55;
+        t55b = tb141 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY1];
         pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LYKA] += g24b * (p[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_RBY1] * t55);
-        tb143 = t55b / t54;
-        t54b = -(tb143 * t55);
+        tb140 = t55b / t54;
+        t54b = -(tb140 * t55);
         t53b = t54b * (1.0 / (2.0 * t54));
         x7b = t53b * x7;
         x7b += t53b * x7;
         pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY2] += x7b * (a5 -
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY3]);
-        tb142 = x7b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY2];
-        a5b += tb142;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY3] -= tb142;
+        tb139 = x7b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY2];
+        a5b += tb139;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY3] -= tb139;
         pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RHX1] += g23b;
         y10b = g22b;
         e9b = 0.0;
@@ -1231,13 +1230,13 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
         pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_REX2] += e9b * dfz;
         dfzb += e9b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_REX2];
         pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RCX1] += g21b;
-        tb141 = g20b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LXAL];
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBX1] += tb141 * t52;
-        t52b = tb141 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBX1];
+        tb138 = g20b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LXAL];
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBX1] += tb138 * t52;
+        t52b = tb138 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBX1];
         pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LXAL] += g20b * (p[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_RBX1] * t52);
-        tb140 = t52b / t51;
-        t51b = -(tb140 * t52);
+        tb137 = t52b / t51;
+        t51b = -(tb137 * t52);
         t50b = t51b * (1.0 / (2.0 * t51));
         x6b = t50b * x6;
         x6b += t50b * x6;
@@ -1246,23 +1245,23 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
         pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBX2] += x6b * kappa;
         kappab += x6b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBX2];
         y40b += peakb;
-        tb136 = y45b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUY];
-        fz2b += tb136 * ((p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY1] +
+        tb133 = y45b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUY];
+        fz2b += tb133 * ((p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY1] +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY2] * dfz) * p[t->tyreadr[t->wheeltyre[i]]
             + MAGGI_TYRE_LVY] + (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY3] +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY4] * dfz) * gy);
-        tb137 = tb136 * fz2;
-        tb138 = tb137 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LVY];
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY1] += tb138;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY2] += tb138 * dfz;
-        dfzb += tb138 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY2];
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LVY] += tb137 * (p[t->tyreadr[t->wheeltyre[i]] +
+        tb134 = tb133 * fz2;
+        tb135 = tb134 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LVY];
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY1] += tb135;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY2] += tb135 * dfz;
+        dfzb += tb135 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY2];
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LVY] += tb134 * (p[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_PVY1] + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY2] * dfz);
-        tb139 = tb137 * gy;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY3] += tb139;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY4] += tb139 * dfz;
-        dfzb += tb139 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY4];
-        gyb = tb137 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY3] +
+        tb136 = tb134 * gy;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY3] += tb136;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY4] += tb136 * dfz;
+        dfzb += tb136 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY4];
+        gyb = tb134 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY3] +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY4] * dfz);
         pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUY] += y45b * (fz2 *
             ((p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY1] + p[t->tyreadr[t->wheeltyre[i]] +
@@ -1270,21 +1269,21 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
             (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY3] + p[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_PVY4] * dfz) * gy));
         ayb = y44b;
-        tb132 = y43b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LKY];
-        tb133 = tb132 * (1.0 - p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY3] * y9);
-        tb134 = tb133 * t49;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY1] += tb134 * fz0_3;
-        fz0_3b = tb134 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY1];
-        t49b = tb133 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY1] * fz0_3);
-        tb135 = tb132 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY1] * fz0_3 * t49);
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY3] -= tb135 * y9;
-        y9b = -(tb135 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY3]);
+        tb129 = y43b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LKY];
+        tb130 = tb129 * (1.0 - p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY3] * y9);
+        tb131 = tb130 * t49;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY1] += tb131 * fz0_3;
+        fz0_3b = tb131 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY1];
+        t49b = tb130 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY1] * fz0_3);
+        tb132 = tb129 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY1] * fz0_3 * t49);
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY3] -= tb132 * y9;
+        y9b = -(tb132 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY3]);
         pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LKY] += y43b * (p[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_PKY1] * fz0_3 * t49 * (1.0 - p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY3]
             * y9));
-        tb131 = t49b / t48;
-        z5b = tb131 * 2.0;
-        t48b = -(tb131 * t49);
+        tb128 = t49b / t48;
+        z5b = tb128 * 2.0;
+        t48b = -(tb128 * t49);
         z5b += t48b * z5;
         z5b += t48b * z5;
         /* |x|, with two continuous derivatives:  w (15 y^2 - 10 y^4 + 3 y^6) / 8,  y = x / w,  in |x| < w;  0 at 0,
@@ -1300,17 +1299,17 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
           p9 = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LOW_CAMBER];
           t47 = p9 * p9;
           z6 = gy * gy / t47;
-          tb129 = y9b * (15.0 + z6 * (-10.0 + 3.0 * z6));
-          p9b = tb129 * z6 * 0.125;
-          z6b = tb129 * (0.125 * p9);
-          tb130 = y9b * (0.125 * p9 * z6);
-          z6b += tb130 * (-10.0 + 3.0 * z6);
-          z6b += tb130 * z6 * 3.0;
+          tb126 = y9b * (15.0 + z6 * (-10.0 + 3.0 * z6));
+          p9b = tb126 * z6 * 0.125;
+          z6b = tb126 * (0.125 * p9);
+          tb127 = y9b * (0.125 * p9 * z6);
+          z6b += tb127 * (-10.0 + 3.0 * z6);
+          z6b += tb127 * z6 * 3.0;
           y9b = 0.0;
-          tb128 = z6b / t47;
-          gyb += tb128 * gy;
-          gyb += tb128 * gy;
-          t47b = -(tb128 * z6);
+          tb125 = z6b / t47;
+          gyb += tb125 * gy;
+          gyb += tb125 * gy;
+          t47b = -(tb125 * z6);
           p9b += t47b * p9;
           p9b += t47b * p9;
           pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LOW_CAMBER] += p9b;
@@ -1322,9 +1321,9 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
             MAGGI_TYRE_PCY1];
         muyb = y40b * fz2;
         fz2b += y40b * muy;
-        tb127 = z5b / t46;
-        fz2b += tb127;
-        t46b = -(tb127 * z5);
+        tb124 = z5b / t46;
+        fz2b += tb124;
+        t46b = -(tb124 * z5);
         pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY2] += t46b * fz0_3;
         fz0_3b += t46b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY2];
         e6b = 0.0;
@@ -1343,10 +1342,10 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
           }
           e6b += e7b * (1.0 - (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY3] +
               p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY4] * gy));
-          tb125 = e7b * e6;
-          pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY3] -= tb125;
-          pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY4] -= tb125 * gy;
-          gyb -= tb125 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY4];
+          tb122 = e7b * e6;
+          pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY3] -= tb122;
+          pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY4] -= tb122 * gy;
+          gyb -= tb122 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY4];
         } else {
           e8 = e6 * (1.0 + (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY3] +
               p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY4] * gy));
@@ -1362,36 +1361,36 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
           }
           e6b += e8b * (1.0 + (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY3] +
               p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY4] * gy));
-          tb126 = e8b * e6;
-          pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY3] += tb126;
-          pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY4] += tb126 * gy;
-          gyb += tb126 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY4];
+          tb123 = e8b * e6;
+          pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY3] += tb123;
+          pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY4] += tb123 * gy;
+          gyb += tb123 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY4];
         }
-        tb124 = e6b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LEY];
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY1] += tb124;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY2] += tb124 * dfz;
-        dfzb += tb124 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY2];
+        tb121 = e6b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LEY];
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY1] += tb121;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY2] += tb121 * dfz;
+        dfzb += tb121 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY2];
         pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LEY] += e6b * (p[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_PEY1] + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY2] * dfz);
-        tb120 = muyb * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUY];
-        tb121 = tb120 * (1.0 - p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY3] * gy * gy);
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY1] += tb121;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY2] += tb121 * dfz;
-        dfzb += tb121 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY2];
-        tb122 = tb120 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY1] +
+        tb117 = muyb * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUY];
+        tb118 = tb117 * (1.0 - p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY3] * gy * gy);
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY1] += tb118;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY2] += tb118 * dfz;
+        dfzb += tb118 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY2];
+        tb119 = tb117 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY1] +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY2] * dfz);
-        tb123 = tb122 * gy;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY3] -= tb123 * gy;
-        gyb -= tb123 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY3];
-        gyb -= tb122 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY3] * gy);
+        tb120 = tb119 * gy;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY3] -= tb120 * gy;
+        gyb -= tb120 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY3];
+        gyb -= tb119 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY3] * gy);
         pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUY] += muyb * ((p[t->tyreadr[t->wheeltyre[i]]
             + MAGGI_TYRE_PDY1] + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY2] * dfz) * (1.0 -
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY3] * gy * gy));
         a5b += ayb;
-        tb119 = ayb * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LHY];
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHY1] += tb119;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHY2] += tb119 * dfz;
-        dfzb += tb119 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHY2];
+        tb116 = ayb * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LHY];
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHY1] += tb116;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHY2] += tb116 * dfz;
+        dfzb += tb116 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHY2];
         pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LHY] += ayb * (p[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_PHY1] + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHY2] * dfz);
         pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHY3] += ayb * gy;
@@ -1403,30 +1402,30 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
             p[t->tyreadr[t->wheeltyre[i]]];
         pb[t->tyreadr[t->wheeltyre[i]]] += fz0_3b * p[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_LFZO];
-        tb116 = x55b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUX];
-        tb117 = tb116 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LVX];
-        fz2b += tb117 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVX1] +
+        tb113 = x55b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUX];
+        tb114 = tb113 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LVX];
+        fz2b += tb114 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVX1] +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVX2] * dfz);
-        tb118 = tb117 * fz2;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVX1] += tb118;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVX2] += tb118 * dfz;
-        dfzb += tb118 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVX2];
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LVX] += tb116 * (fz2 *
+        tb115 = tb114 * fz2;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVX1] += tb115;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVX2] += tb115 * dfz;
+        dfzb += tb115 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVX2];
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LVX] += tb113 * (fz2 *
             (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVX1] + p[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_PVX2] * dfz));
         pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUX] += x55b * (fz2 *
             (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVX1] + p[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_PVX2] * dfz) * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LVX]);
         kxb = x54b;
-        tb113 = x53b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LKX];
-        tb114 = tb113 * t45;
-        fz2b += tb114 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKX1] +
+        tb110 = x53b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LKX];
+        tb111 = tb110 * t45;
+        fz2b += tb111 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKX1] +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKX2] * dfz);
-        tb115 = tb114 * fz2;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKX1] += tb115;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKX2] += tb115 * dfz;
-        dfzb += tb115 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKX2];
-        t45b = tb113 * (fz2 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKX1] +
+        tb112 = tb111 * fz2;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKX1] += tb112;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKX2] += tb112 * dfz;
+        dfzb += tb112 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKX2];
+        t45b = tb110 * (fz2 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKX1] +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKX2] * dfz));
         pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LKX] += x53b * (fz2 *
             (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKX1] + p[t->tyreadr[t->wheeltyre[i]] +
@@ -1471,44 +1470,44 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
           e3b += e5b * (1.0 + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEX4]);
           pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEX4] += e5b * e3;
         }
-        tb111 = e3b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LEX];
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEX1] += tb111;
-        tb112 = tb111 * dfz;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEX2] += tb112;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEX3] += tb112 * dfz;
-        dfzb += tb112 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEX3];
-        dfzb += tb111 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEX2] +
+        tb108 = e3b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LEX];
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEX1] += tb108;
+        tb109 = tb108 * dfz;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEX2] += tb109;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEX3] += tb109 * dfz;
+        dfzb += tb109 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEX3];
+        dfzb += tb108 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEX2] +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEX3] * dfz);
         pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LEX] += e3b * (p[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_PEX1] + (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEX2] +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEX3] * dfz) * dfz);
-        tb107 = muxb * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUX];
-        tb108 = tb107 * (1.0 - p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX3] * gx * gx);
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX1] += tb108;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX2] += tb108 * dfz;
-        dfzb += tb108 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX2];
-        tb109 = tb107 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX1] +
+        tb104 = muxb * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUX];
+        tb105 = tb104 * (1.0 - p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX3] * gx * gx);
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX1] += tb105;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX2] += tb105 * dfz;
+        dfzb += tb105 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX2];
+        tb106 = tb104 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX1] +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX2] * dfz);
-        tb110 = tb109 * gx;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX3] -= tb110 * gx;
-        gxb = -(tb110 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX3]);
-        gxb -= tb109 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX3] * gx);
+        tb107 = tb106 * gx;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX3] -= tb107 * gx;
+        gxb = -(tb107 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX3]);
+        gxb -= tb106 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX3] * gx);
         pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUX] += muxb * ((p[t->tyreadr[t->wheeltyre[i]]
             + MAGGI_TYRE_PDX1] + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX2] * dfz) * (1.0 -
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX3] * gx * gx));
         gammab += gxb * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LGAX];
         pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LGAX] += gxb * gamma;
         kappab += kxb;
-        tb106 = kxb * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LHX];
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHX1] += tb106;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHX2] += tb106 * dfz;
-        dfzb += tb106 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHX2];
+        tb103 = kxb * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LHX];
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHX1] += tb103;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHX2] += tb103 * dfz;
+        dfzb += tb103 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHX2];
         pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LHX] += kxb * (p[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_PHX1] + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHX2] * dfz);
-        tb105 = dfzb / fz0_2;
-        fz2b += tb105;
-        fz0_2b -= tb105;
-        fz0_2b -= tb105 * dfz;
+        tb102 = dfzb / fz0_2;
+        fz2b += tb102;
+        fz0_2b -= tb102;
+        fz0_2b -= tb102 * dfz;
         pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_UNLOADED_RADIUS] += r0b;
         pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LFZO] += fz0_2b *
             p[t->tyreadr[t->wheeltyre[i]]];
@@ -1549,27 +1548,27 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
     slipb[i][MAGGI_SLIP_VX] = 0.0;
     fzb += slipb[i][MAGGI_SLIP_FZ];
     slipb[i][MAGGI_SLIP_FZ] = 0.0;
-    tb104 = slipb[i][MAGGI_SLIP_GAMMA];
+    tb101 = slipb[i][MAGGI_SLIP_GAMMA];
     slipb[i][MAGGI_SLIP_GAMMA] = 0.0;
-    z1b = tb104 * (z2_2 / (z2_2 * z2_2 + z1 * z1));
-    z2_2b = -(tb104 * (z1 / (z2_2 * z2_2 + z1 * z1)));
-    tb102 = slipb[i][MAGGI_SLIP_TAN_ALPHA];
+    z1b = tb101 * (z2_2 / (z2_2 * z2_2 + z1 * z1));
+    z2_2b = -(tb101 * (z1 / (z2_2 * z2_2 + z1 * z1)));
+    tb99 = slipb[i][MAGGI_SLIP_TAN_ALPHA];
     slipb[i][MAGGI_SLIP_TAN_ALPHA] = 0.0;
-    tb103 = tb102 / speed;
-    v0b = tb103 * L0;
-    L0b += tb103 * v0;
-    v1b = tb103 * L1;
-    L1b += tb103 * v1;
-    v2b = tb103 * L2;
-    L2b += tb103 * v2;
-    speedb = -(tb103 * slip[i][MAGGI_SLIP_TAN_ALPHA]);
-    tb100 = slipb[i][MAGGI_SLIP_KAPPA];
+    tb100 = tb99 / speed;
+    v0b = tb100 * L0;
+    L0b += tb100 * v0;
+    v1b = tb100 * L1;
+    L1b += tb100 * v1;
+    v2b = tb100 * L2;
+    L2b += tb100 * v2;
+    speedb = -(tb100 * slip[i][MAGGI_SLIP_TAN_ALPHA]);
+    tb97 = slipb[i][MAGGI_SLIP_KAPPA];
     slipb[i][MAGGI_SLIP_KAPPA] = 0.0;
-    tb101 = tb100 / speed;
-    omegab = tb101 * re;
-    reb += tb101 * omega;
-    vxb -= tb101;
-    speedb -= tb101 * slip[i][MAGGI_SLIP_KAPPA];
+    tb98 = tb97 / speed;
+    omegab = tb98 * re;
+    reb += tb98 * omega;
+    vxb -= tb98;
+    speedb -= tb98 * slip[i][MAGGI_SLIP_KAPPA];
     y3b = speedb;
     /* |v|; less than low gives way to (low + v^2 / low) / 2, which is not 0 at rest */
     if (MAGGI_RE(vx) > MAGGI_RE(p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_VXLOW])) {
@@ -1581,14 +1580,14 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
     } else {
       p8 = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_VXLOW];
       t43 = vx * vx / p8;
-      tb99 = y3b * 0.5;
-      p8b = tb99;
-      t43b = tb99;
+      tb96 = y3b * 0.5;
+      p8b = tb96;
+      t43b = tb96;
       y3b = 0.0;
-      tb98 = t43b / p8;
-      vxb += tb98 * vx;
-      vxb += tb98 * vx;
-      p8b -= tb98 * t43;
+      tb95 = t43b / p8;
+      vxb += tb95 * vx;
+      vxb += tb95 * vx;
+      p8b -= tb95 * t43;
       pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_VXLOW] += p8b;
     }
     re2b = reb;
@@ -1601,21 +1600,21 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
       pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_UNLOADED_RADIUS] += re2b;
       t40b = -(re2b * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_DREFF] * t42 +
           p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_FREFF] * ratio));
-      tb97 = re2b * t40;
-      pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_DREFF] -= tb97 * t42;
-      t42b = -(tb97 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_DREFF]);
-      pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_FREFF] -= tb97 * ratio;
-      ratiob = -(tb97 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_FREFF]);
+      tb94 = re2b * t40;
+      pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_DREFF] -= tb94 * t42;
+      t42b = -(tb94 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_DREFF]);
+      pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_FREFF] -= tb94 * ratio;
+      ratiob = -(tb94 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_FREFF]);
       re2b = 0.0;
       t41b = t42b * (1.0 / (1.0 + t41 * t41));
       pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_BREFF] += t41b * ratio;
       ratiob += t41b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_BREFF];
-      tb96 = t40b / p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_VERTICAL_STIFFNESS];
-      fz0b += tb96;
-      pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_VERTICAL_STIFFNESS] -= tb96 * t40;
-      tb95 = ratiob / fz0;
-      fzb += tb95;
-      fz0b -= tb95 * ratio;
+      tb93 = t40b / p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_VERTICAL_STIFFNESS];
+      fz0b += tb93;
+      pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_VERTICAL_STIFFNESS] -= tb93 * t40;
+      tb92 = ratiob / fz0;
+      fzb += tb92;
+      fz0b -= tb92 * ratio;
     } else {
       pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_UNLOADED_RADIUS] += re2b;
       re2b = 0.0;
@@ -1625,23 +1624,11 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
     pb[t->tyreadr[t->wheeltyre[i]]] += fz0b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LFZO];
     pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_VERTICAL_STIFFNESS] += fzb *
         (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_UNLOADED_RADIUS] - z0);
-    tb94 = fzb * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_VERTICAL_STIFFNESS];
-    pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_UNLOADED_RADIUS] += tb94;
-    z0b -= tb94;
+    tb91 = fzb * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_VERTICAL_STIFFNESS];
+    pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_UNLOADED_RADIUS] += tb91;
+    z0b -= tb91;
     pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_VERTICAL_DAMPING] += fzb * rhov;
     rhovb = fzb * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_VERTICAL_DAMPING];
-    tb91 = omegab * u0;
-    Zb[t->wheelbody[i]][3] += tb91;
-    Z_i3b = -tb91;
-    u0b = omegab * (Z[t->wheelbody[i]][3] - Z_i3);
-    tb92 = omegab * u1;
-    Zb[t->wheelbody[i]][4] += tb92;
-    Z_i4b = -tb92;
-    u1b = omegab * (Z[t->wheelbody[i]][4] - Z_i4);
-    tb93 = omegab * u2_2;
-    Zb[t->wheelbody[i]][5] += tb93;
-    Z_i5b = -tb93;
-    u2_2b = omegab * (Z[t->wheelbody[i]][5] - Z_i5);
     tb90 = rhovb / z2_2;
     z3_2b = tb90 * v0;
     v0b += tb90 * z3_2;
@@ -1675,17 +1662,30 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
     arm2b += vr0b * wr1;
     wr2b -= vr0b * arm1;
     arm1b -= vr0b * wr2;
-    Z_i5b += wr2b;
-    Zb[t->wheelcarrier[i]][5] += Z_i5b;
-    Z_i4b += wr1b;
-    Zb[t->wheelcarrier[i]][4] += Z_i4b;
-    /* Slip and forces of a wheel.
-     *   V = v_C + w_carrier × r e,  Omega = (w - w_carrier).u,  rho = R0 - r,  rho' = -V.n / |u × n|
+    Z_i5b = wr2b;
+    omegab -= wr2b * u2_2;
+    u2_2b = -(wr2b * omega);
+    Z_i4b = wr1b;
+    omegab -= wr1b * u1;
+    u1b = -(wr1b * omega);
+    Z_i3b = wr0b;
+    omegab -= wr0b * u0;
+    u0b = -(wr0b * omega);
+    /* Slip and forces of a wheel.  V is the velocity of the place on the road below the wheel, which the turn of
+     * neither wheel nor carrier about the axis moves:
+     *   Omega = w.u,  V = v_C + (w - Omega u) × r e,  rho = R0 - r,  rho' = -V.n / |u × n|
      *   Fz = Cz rho + Cd rho'
      *   kappa = -(V.t - Omega Re) / |V.t|,  tan(alpha) = V.l / |V.t|,  sin(gamma) = u.n
      * No force without contact; without grip that of the spring alone, as at rest. */
-    Z_i3b += wr0b;
-    Zb[t->wheelcarrier[i]][3] += Z_i3b;
+    Z_i3b += omegab * u0;
+    u0b += omegab * Z_i3;
+    Z_i4b += omegab * u1;
+    u1b += omegab * Z_i4;
+    Z_i5b += omegab * u2_2;
+    u2_2b += omegab * Z_i5;
+    Zb[t->wheelbody[i]][5] += Z_i5b;
+    Zb[t->wheelbody[i]][4] += Z_i4b;
+    Zb[t->wheelbody[i]][3] += Z_i3b;
     h12b = z3_2b;
     wb = z2_2b;
     cb = z1b;
@@ -2421,9 +2421,9 @@ void maggi_wheel_forces_b(const maggi_topo *t, const double p[restrict t->np],
   }
 }
 
-/* Rates of the coordinates on which wheels turn at which they roll freely, kappa = 0: with V the velocity of
- * the contact point on the carrier and w the velocity of the wheel by its coordinate
- *   v = V.t / (Re w.u) */
+/* Rates of the coordinates on which wheels turn at which they roll freely, kappa = 0: with w that of the
+ * carrier and w_q that of the wheel on it at the rate 1
+ *   v = (V.t / Re - w.u) / (w_q.u) */
 void maggi_rolling_b(const maggi_topo *t, const double p[restrict t->np], double pb[restrict t->np],
                      const double spline0[restrict t->nspline][3],
                      double spline0b[restrict t->nspline][3],
@@ -2437,33 +2437,34 @@ void maggi_rolling_b(const maggi_topo *t, const double p[restrict t->np], double
   double N0, N0b, N1, N2, N2b, T0, T0b, T1, T1b, T2, T2b, a, a2, a2b, a3, a3b, a4, a4b, ab, along0,
       along0b, along1, along1b, along2, along2b, arm0, arm0b, arm1, arm1b, arm2, arm2b, axis0,
       axis0b, axis1, axis1b, axis2, axis2b, b20, b20b, b3, b3b, b40, b40b, b41, b41b, b5, b5b, base,
-      base2, base2b, baseb, c0, c0b, c1, c1b, c2, c2_2, c2_2b, c2b, c3, c3b, c4, c4b, c5, c5b, c6,
-      c6b, e, e2, e2b, eb, f, f2, f2b, fb, fz, fz0, fz0b, fzb, g0, g0b, g2, g2b, h, h00, h00b, h0_2,
-      h0_2b, h0_3, h0_3b, h10, h10b, h11, h11b, h12, h12b, h1_2, h1_2b, h1_3, h1_3b, h2, h2_2,
-      h2_2b, h2_3, h2_3b, h2b, h3, h3_2, h3_2b, h3b, hb, k5, k5b, k8, k8b, n2, n2b, normal0,
-      normal0b, normal1, normal2, normal2b, p2, p2b, p3, p3b, p4, p4b, p5, p5b, p6, p6b, p7, p7b,
-      p_road, p_road2, p_road2b, p_road3, p_road3b, p_road4, p_road4b, p_road5, p_road5b, p_road6,
-      p_road6b, p_roadb, p_roadk6, p_roadk61, p_roadk61b, p_roadk6b, p_roadk9, p_roadk91,
-      p_roadk91b, p_roadk9b, p_roadroad, p_roadroad2, p_roadroad2b, p_roadroadb, r2, r2b, radius,
-      radius2, radius2b, radiusb, ratio, ratiob, re, reb, rhov, rhovb, s, s20, s20b, s30, s30b, s31,
-      s31b, sb, slope, slope2, slope2_2, slope2_2b, slope2b, slope3, slope3b, slopeb,
-      spline0_roadk60, spline0_roadk60b, spline0_roadk610, spline0_roadk610b, spline0_roadk90,
-      spline0_roadk90b, spline0_roadk910, spline0_roadk910b, t10, t10b, t11, t11b, t12, t12b, t13,
-      t13b, t14, t14b, t15, t15b, t16, t16b, t17, t17b, t18, t18b, t19, t19b, t2, t20, t20b, t21,
-      t21b, t22, t22b, t23, t23b, t24, t24b, t25, t25b, t26, t26b, t27, t27b, t28, t28b, t29, t29b,
-      t2b, t3, t30, t30b, t31, t31b, t32, t32b, t33, t33b, t34, t34b, t35, t35b, t36, t36b, t37,
-      t37b, t38, t38b, t39, t39b, t3b, t4, t40, t40b, t41, t41b, t42, t42b, t43, t43b, t4b, t5, t5b,
-      t6, t6b, t7, t7b, t8, t8b, t9, t9b, tb10, tb11, tb12, tb13, tb14, tb15, tb16, tb17, tb18,
-      tb19, tb2, tb20, tb21, tb22, tb23, tb24, tb25, tb26, tb27, tb28, tb29, tb3, tb30, tb31, tb32,
-      tb33, tb34, tb35, tb36, tb37, tb38, tb39, tb4, tb40, tb41, tb42, tb43, tb44, tb45, tb46, tb47,
-      tb48, tb49, tb5, tb50, tb51, tb52, tb53, tb54, tb55, tb56, tb57, tb58, tb59, tb6, tb60, tb61,
-      tb62, tb63, tb64, tb65, tb66, tb67, tb68, tb69, tb7, tb70, tb71, tb72, tb73, tb74, tb75, tb76,
-      tb77, tb78, tb79, tb8, tb80, tb81, tb82, tb83, tb84, tb85, tb86, tb87, tb88, tb89, tb9, tb90,
-      tb91, tb92, tb93, tb94, tb95, tb96, tb97, u0, u0b, u1, u1b, u2, u2_2, u2_2b, u2b, u3, u3b,
-      ua0, ua0b, ua1, ua1b, ua2, ua2b, un0, un0b, un1, un1b, un2, un2b, v0, v0b, v1, v1b, v2, v2b,
-      w0, w0b, w1, w1b, w2, w2_2, w2_2b, w2b, w3, w3b, w4, w4b, way, way2, wr0, wr0b, wr1, wr1b,
-      wr2, wr2b, x, x2, x2b, x3, x3b, x4, x4b, xb, y, y2, y2b, yb, z0, z0b, z2, z2_2, z2_2b, z2_3,
-      z2_3b, z2b, z3, z3_2, z3_2b, z3_3, z3_3b, z3b;
+      base2, base2b, baseb, c, c2, c2b, c3, c3b, c4, c4b, c5, c5b, cb, e, e2, e2b, eb, f, f2, f2b,
+      fb, fz, fz0, fz0b, fzb, g0, g0b, g2, g2b, h, h00, h00b, h0_2, h0_2b, h0_3, h0_3b, h10, h10b,
+      h11, h11b, h12, h12b, h1_2, h1_2b, h1_3, h1_3b, h2, h2_2, h2_2b, h2_3, h2_3b, h2b, h3, h3_2,
+      h3_2b, h3b, hb, k5, k5b, k8, k8b, n2, n2b, normal0, normal0b, normal1, normal2, normal2b, p2,
+      p2b, p3, p3b, p4, p4b, p5, p5b, p6, p6b, p7, p7b, p_road, p_road2, p_road2b, p_road3,
+      p_road3b, p_road4, p_road4b, p_road5, p_road5b, p_road6, p_road6b, p_roadb, p_roadk6,
+      p_roadk61, p_roadk61b, p_roadk6b, p_roadk9, p_roadk91, p_roadk91b, p_roadk9b, p_roadroad,
+      p_roadroad2, p_roadroad2b, p_roadroadb, r2, r2b, r_i0, r_i0b, r_i1, r_i1b, r_i2, r_i2b,
+      radius, radius2, radius2b, radiusb, ratio, ratiob, re, re2, re2b, reb, rhov, rhovb, s, s20,
+      s20b, s30, s30b, s31, s31b, sb, slope, slope2, slope2_2, slope2_2b, slope2b, slope3, slope3b,
+      slopeb, spline0_roadk60, spline0_roadk60b, spline0_roadk610, spline0_roadk610b,
+      spline0_roadk90, spline0_roadk90b, spline0_roadk910, spline0_roadk910b, t10, t10b, t11, t11b,
+      t12, t12b, t13, t13b, t14, t14b, t15, t15b, t16, t16b, t17, t17b, t18, t18b, t19, t19b, t2,
+      t20, t20b, t21, t21b, t22, t22b, t23, t23b, t24, t24b, t25, t25b, t26, t26b, t27, t27b, t28,
+      t28b, t29, t29b, t2b, t3, t30, t30b, t31, t31b, t32, t32b, t33, t33b, t34, t34b, t35, t35b,
+      t36, t36b, t37, t37b, t38, t38b, t39, t39b, t3b, t4, t40, t40b, t41, t41b, t42, t42b, t43,
+      t43b, t44, t44b, t4b, t5, t5b, t6, t6b, t7, t7b, t8, t8b, t9, t9b, tb10, tb11, tb12, tb13,
+      tb14, tb15, tb16, tb17, tb18, tb19, tb2, tb20, tb21, tb22, tb23, tb24, tb25, tb26, tb27, tb28,
+      tb29, tb3, tb30, tb31, tb32, tb33, tb34, tb35, tb36, tb37, tb38, tb39, tb4, tb40, tb41, tb42,
+      tb43, tb44, tb45, tb46, tb47, tb48, tb49, tb5, tb50, tb51, tb52, tb53, tb54, tb55, tb56, tb57,
+      tb58, tb59, tb6, tb60, tb61, tb62, tb63, tb64, tb65, tb66, tb67, tb68, tb69, tb7, tb70, tb71,
+      tb72, tb73, tb74, tb75, tb76, tb77, tb78, tb79, tb8, tb80, tb81, tb82, tb83, tb84, tb85, tb86,
+      tb87, tb88, tb89, tb9, tb90, tb91, tb92, tb93, tb94, tb95, tb96, tb97, turn, turnb, u0, u0b,
+      u1, u1b, u2, u2_2, u2_2b, u2b, u3, u3b, ua0, ua0b, ua1, ua1b, ua2, ua2b, un0, un0b, un1, un1b,
+      un2, un2b, v0, v0b, v1, v1b, v2, v2b, vc0, vc0b, vc1, vc1b, vc2, vc2b, vr0, vr0b, vr1, vr1b,
+      vr2, vr2b, w0, w0b, w1, w1b, w2, w2_2, w2_2b, w2b, w3, w3b, w4, w4b, way, way2, wr0, wr0b,
+      wr1, wr1b, wr2, wr2b, x, x2, x2b, x3, x3b, x4, x4b, xb, y, y2, y2b, yb, z0, z0b, z2, z2_2,
+      z2_2b, z2_3, z2_3b, z2b, z3, z3_2, z3_2b, z3_3, z3_3b, z3b;
 
   for (i = t->nwheel - 1; i >= 0; --i) {
     adr = t->tyreadr[t->wheeltyre[i]];
@@ -2503,7 +2504,7 @@ void maggi_rolling_b(const maggi_topo *t, const double p[restrict t->np], double
       radius = p[t->roadadr[road]];
       base = radius - p[t->roadadr[road] + MAGGI_BUMPS_HEIGHT];
       t5 = radius * radius - base * base;
-      c3 = sqrt(t5);
+      c2 = sqrt(t5);
       f = 0.5 * p[t->roadadr[road] + MAGGI_BUMPS_FILLET];
       if (MAGGI_RE(x3) > 0.0) {
         way = 1.0;
@@ -2511,19 +2512,19 @@ void maggi_rolling_b(const maggi_topo *t, const double p[restrict t->np], double
         way = -1.0;
       }
       y = way * x3;
-      if (MAGGI_RE(y) >= MAGGI_RE(c3 + f)) {
+      if (MAGGI_RE(y) >= MAGGI_RE(c2 + f)) {
         b20 = 0.0;
-      } else if (MAGGI_RE(y) > MAGGI_RE(c3 - f)) {
-        t6 = radius * radius - (c3 - f) * (c3 - f);
+      } else if (MAGGI_RE(y) > MAGGI_RE(c2 - f)) {
+        t6 = radius * radius - (c2 - f) * (c2 - f);
         z2 = sqrt(t6);
         h0_2 = z2 - base;
-        h1_2 = 2.0 * f * (c3 - f) / z2;
+        h1_2 = 2.0 * f * (c2 - f) / z2;
         a = 3.0 * h0_2 - h1_2;
         t7 = z2 * z2 * z2;
         t8 = 2.0 * f * f * radius * radius / t7;
         b3 = 6.0 * h0_2 - 3.0 * h1_2 - t8;
         t9 = 2.0 * f;
-        u2 = (c3 + f - y) / t9;
+        u2 = (c2 + f - y) / t9;
         w3 = 1.0 - u2;
         b20 = u2 * u2 * u2 * (h0_2 + w3 * (a + w3 * b3));
       } else {
@@ -2555,15 +2556,15 @@ void maggi_rolling_b(const maggi_topo *t, const double p[restrict t->np], double
         p_roadk6 = p[t->roadadr[road] + k6];
         h3_2 = p_roadk61 - p_roadk6;
         a2 = p_roadk61 - x2;
-        c4 = x2 - p_roadk6;
+        c3 = x2 - p_roadk6;
         p4 = p[t->roadadr[road] + t->roadn[road] + k6];
         t13 = (p[t->roadadr[road] + t->roadn[road] + k6 + 1] - p4) / h3_2;
         spline0_roadk610 = spline0[t->roadspline[road] + k6 + 1][0];
         spline0_roadk60 = spline0[t->roadspline[road] + k6][0];
         e = t13 - h3_2 / 6.0 * (spline0_roadk610 - spline0_roadk60);
         t14 = 6.0 * h3_2;
-        t15 = (spline0_roadk60 * a2 * a2 * a2 + spline0_roadk610 * c4 * c4 * c4) / t14;
-        s20 = t15 + p4 - spline0_roadk60 * h3_2 * h3_2 / 6.0 + e * c4;
+        t15 = (spline0_roadk60 * a2 * a2 * a2 + spline0_roadk610 * c3 * c3 * c3) / t14;
+        s20 = t15 + p4 - spline0_roadk60 * h3_2 * h3_2 / 6.0 + e * c3;
       }
       h00 = s20;
     }
@@ -2592,7 +2593,7 @@ void maggi_rolling_b(const maggi_topo *t, const double p[restrict t->np], double
       radius2 = p[t->roadadr[road]];
       base2 = radius2 - p[t->roadadr[road] + MAGGI_BUMPS_HEIGHT];
       t22 = radius2 * radius2 - base2 * base2;
-      c5 = sqrt(t22);
+      c4 = sqrt(t22);
       f2 = 0.5 * p[t->roadadr[road] + MAGGI_BUMPS_FILLET];
       if (MAGGI_RE(x4) > 0.0) {
         way2 = 1.0;
@@ -2600,20 +2601,20 @@ void maggi_rolling_b(const maggi_topo *t, const double p[restrict t->np], double
         way2 = -1.0;
       }
       y2 = way2 * x4;
-      if (MAGGI_RE(y2) >= MAGGI_RE(c5 + f2)) {
+      if (MAGGI_RE(y2) >= MAGGI_RE(c4 + f2)) {
         b40 = 0.0;
         b41 = 0.0;
-      } else if (MAGGI_RE(y2) > MAGGI_RE(c5 - f2)) {
-        t23 = radius2 * radius2 - (c5 - f2) * (c5 - f2);
+      } else if (MAGGI_RE(y2) > MAGGI_RE(c4 - f2)) {
+        t23 = radius2 * radius2 - (c4 - f2) * (c4 - f2);
         z3 = sqrt(t23);
         h0_3 = z3 - base2;
-        h1_3 = 2.0 * f2 * (c5 - f2) / z3;
+        h1_3 = 2.0 * f2 * (c4 - f2) / z3;
         a3 = 3.0 * h0_3 - h1_3;
         t24 = z3 * z3 * z3;
         t25 = 2.0 * f2 * f2 * radius2 * radius2 / t24;
         b5 = 6.0 * h0_3 - 3.0 * h1_3 - t25;
         t26 = 2.0 * f2;
-        u3 = (c5 + f2 - y2) / t26;
+        u3 = (c4 + f2 - y2) / t26;
         w4 = 1.0 - u3;
         b40 = u3 * u3 * u3 * (h0_3 + w4 * (a3 + w4 * b5));
         t27 = 2.0 * f2;
@@ -2655,17 +2656,17 @@ void maggi_rolling_b(const maggi_topo *t, const double p[restrict t->np], double
         p_roadk9 = p[t->roadadr[road] + k9];
         h2_3 = p_roadk91 - p_roadk9;
         a4 = p_roadk91 - x;
-        c6 = x - p_roadk9;
+        c5 = x - p_roadk9;
         p7 = p[t->roadadr[road] + t->roadn[road] + k9];
         t33 = (p[t->roadadr[road] + t->roadn[road] + k9 + 1] - p7) / h2_3;
         spline0_roadk910 = spline0[t->roadspline[road] + k9 + 1][0];
         spline0_roadk90 = spline0[t->roadspline[road] + k9][0];
         e2 = t33 - h2_3 / 6.0 * (spline0_roadk910 - spline0_roadk90);
         t34 = 6.0 * h2_3;
-        t35 = (spline0_roadk90 * a4 * a4 * a4 + spline0_roadk910 * c6 * c6 * c6) / t34;
-        s30 = t35 + p7 - spline0_roadk90 * h2_3 * h2_3 / 6.0 + e2 * c6;
+        t35 = (spline0_roadk90 * a4 * a4 * a4 + spline0_roadk910 * c5 * c5 * c5) / t34;
+        s30 = t35 + p7 - spline0_roadk90 * h2_3 * h2_3 / 6.0 + e2 * c5;
         t36 = 2.0 * h2_3;
-        t37 = (spline0_roadk910 * c6 * c6 - spline0_roadk90 * a4 * a4) / t36;
+        t37 = (spline0_roadk910 * c5 * c5 - spline0_roadk90 * a4 * a4) / t36;
         s31 = t37 + e2;
       }
       h10 = s30;
@@ -2677,7 +2678,7 @@ void maggi_rolling_b(const maggi_topo *t, const double p[restrict t->np], double
     normal0 = -h11 / s;
     normal1 = 0.0;
     normal2 = 1.0 / s;
-    c2 = u0 * normal0 + u1 * normal1 + u2_2 * normal2;
+    c = u0 * normal0 + u1 * normal1 + u2_2 * normal2;
     un0 = u1 * normal2 - u2_2 * normal1;
     un1 = u2_2 * normal0 - u0 * normal2;
     un2 = u0 * normal1 - u1 * normal0;
@@ -2687,30 +2688,37 @@ void maggi_rolling_b(const maggi_topo *t, const double p[restrict t->np], double
     along0 = un0 / w2;
     along1 = un1 / w2;
     along2 = un2 / w2;
-    arm0 = r2 * (c2 * u0 - normal0) / w2;
+    arm0 = r2 * (c * u0 - normal0) / w2;
     T0 = along0;
     N0 = normal0;
-    arm1 = r2 * (c2 * u1 - normal1) / w2;
+    arm1 = r2 * (c * u1 - normal1) / w2;
     T1 = along1;
     N1 = normal1;
-    arm2 = r2 * (c2 * u2_2 - normal2) / w2;
+    arm2 = r2 * (c * u2_2 - normal2) / w2;
     T2 = along2;
     N2 = normal2;
     z0 = r2;
     z2_2 = w2;
     z3_2 = h12;
-    c0 = r[t->wheelpoint[i]][0] + arm0;
-    c1 = r[t->wheelpoint[i]][1] + arm1;
-    c2_2 = r[t->wheelpoint[i]][2] + arm2;
-    wr0 = Z[carrier][3];
-    wr1 = Z[carrier][4];
-    wr2 = Z[carrier][5];
-    w0 = wr1 * c2_2 - wr2 * c1;
-    w1 = wr2 * c0 - wr0 * c2_2;
-    w2_2 = wr0 * c1 - wr1 * c0;
-    v0 = Z[carrier][0] + w0;
-    v1 = Z[carrier][1] + w1;
-    v2 = Z[carrier][2] + w2_2;
+    w0 = Z[carrier][3];
+    w1 = Z[carrier][4];
+    w2_2 = Z[carrier][5];
+    turn = w0 * u0 + w1 * u1 + w2_2 * u2_2;
+    wr0 = w0 - turn * u0;
+    wr1 = w1 - turn * u1;
+    wr2 = w2_2 - turn * u2_2;
+    r_i2 = r[t->wheelpoint[i]][2];
+    r_i1 = r[t->wheelpoint[i]][1];
+    vc0 = w1 * r_i2 - w2_2 * r_i1;
+    r_i0 = r[t->wheelpoint[i]][0];
+    vc1 = w2_2 * r_i0 - w0 * r_i2;
+    vc2 = w0 * r_i1 - w1 * r_i0;
+    vr0 = wr1 * arm2 - wr2 * arm1;
+    vr1 = wr2 * arm0 - wr0 * arm2;
+    vr2 = wr0 * arm1 - wr1 * arm0;
+    v0 = Z[carrier][0] + vc0 + vr0;
+    v1 = Z[carrier][1] + vc1 + vr1;
+    v2 = Z[carrier][2] + vc2 + vr2;
     rhov = (z3_2 * v0 - (v0 * N0 + v1 * N1 + v2 * N2)) / z2_2;
     fz = p[adr + MAGGI_TYRE_VERTICAL_STIFFNESS] * (p[adr + MAGGI_TYRE_UNLOADED_RADIUS] - z0) + p[adr
         + MAGGI_TYRE_VERTICAL_DAMPING] * rhov;
@@ -2720,30 +2728,35 @@ void maggi_rolling_b(const maggi_topo *t, const double p[restrict t->np], double
       t40 = fz0 / p[adr + MAGGI_TYRE_VERTICAL_STIFFNESS];
       t41 = p[adr + MAGGI_TYRE_BREFF] * ratio;
       t42 = atan(t41);
-      re = p[adr + MAGGI_TYRE_UNLOADED_RADIUS] - t40 * (p[adr + MAGGI_TYRE_DREFF] * t42 + p[adr +
+      re2 = p[adr + MAGGI_TYRE_UNLOADED_RADIUS] - t40 * (p[adr + MAGGI_TYRE_DREFF] * t42 + p[adr +
           MAGGI_TYRE_FREFF] * ratio);
     } else {
-      re = p[adr + MAGGI_TYRE_UNLOADED_RADIUS];
+      re2 = p[adr + MAGGI_TYRE_UNLOADED_RADIUS];
     }
-    t43 = re * (b[body][3] * u0 + b[body][4] * u1 + b[body][5] * u2_2);
+    re = re2;
+    t43 = (v0 * T0 + v1 * T1 + v2 * T2) / re;
+    t44 = b[body][3] * u0 + b[body][4] * u1 + b[body][5] * u2_2;
     tb96 = spinb[i];
     spinb[i] = 0.0;
-    tb97 = tb96 / t43;
-    v0b = tb97 * T0;
-    T0b = tb97 * v0;
-    v1b = tb97 * T1;
-    T1b = tb97 * v1;
-    v2b = tb97 * T2;
-    T2b = tb97 * v2;
-    t43b = -(tb97 * spin[i]);
-    reb = t43b * (b[body][3] * u0 + b[body][4] * u1 + b[body][5] * u2_2);
-    tb95 = t43b * re;
-    bb[body][3] += tb95 * u0;
-    u0b = tb95 * b[body][3];
-    bb[body][4] += tb95 * u1;
-    u1b = tb95 * b[body][4];
-    bb[body][5] += tb95 * u2_2;
-    u2_2b = tb95 * b[body][5];
+    tb97 = tb96 / t44;
+    t43b = tb97;
+    turnb = -tb97;
+    t44b = -(tb97 * spin[i]);
+    bb[body][3] += t44b * u0;
+    u0b = t44b * b[body][3];
+    bb[body][4] += t44b * u1;
+    u1b = t44b * b[body][4];
+    bb[body][5] += t44b * u2_2;
+    u2_2b = t44b * b[body][5];
+    tb95 = t43b / re;
+    v0b = tb95 * T0;
+    T0b = tb95 * v0;
+    v1b = tb95 * T1;
+    T1b = tb95 * v1;
+    v2b = tb95 * T2;
+    T2b = tb95 * v2;
+    reb = -(tb95 * t43);
+    re2b = reb;
     fz0b = 0.0;
     fzb = 0.0;
     if (MAGGI_RE(fz) > 0.0) {
@@ -2751,14 +2764,14 @@ void maggi_rolling_b(const maggi_topo *t, const double p[restrict t->np], double
       t40 = fz0 / p[adr + MAGGI_TYRE_VERTICAL_STIFFNESS];
       t41 = p[adr + MAGGI_TYRE_BREFF] * ratio;
       t42 = atan(t41);
-      pb[adr + MAGGI_TYRE_UNLOADED_RADIUS] += reb;
-      t40b = -(reb * (p[adr + MAGGI_TYRE_DREFF] * t42 + p[adr + MAGGI_TYRE_FREFF] * ratio));
-      tb94 = reb * t40;
+      pb[adr + MAGGI_TYRE_UNLOADED_RADIUS] += re2b;
+      t40b = -(re2b * (p[adr + MAGGI_TYRE_DREFF] * t42 + p[adr + MAGGI_TYRE_FREFF] * ratio));
+      tb94 = re2b * t40;
       pb[adr + MAGGI_TYRE_DREFF] -= tb94 * t42;
       t42b = -(tb94 * p[adr + MAGGI_TYRE_DREFF]);
       pb[adr + MAGGI_TYRE_FREFF] -= tb94 * ratio;
       ratiob = -(tb94 * p[adr + MAGGI_TYRE_FREFF]);
-      reb = 0.0;
+      re2b = 0.0;
       t41b = t42b * (1.0 / (1.0 + t41 * t41));
       pb[adr + MAGGI_TYRE_BREFF] += t41b * ratio;
       ratiob += t41b * p[adr + MAGGI_TYRE_BREFF];
@@ -2769,8 +2782,8 @@ void maggi_rolling_b(const maggi_topo *t, const double p[restrict t->np], double
       fzb += tb92;
       fz0b -= tb92 * ratio;
     } else {
-      pb[adr + MAGGI_TYRE_UNLOADED_RADIUS] += reb;
-      reb = 0.0;
+      pb[adr + MAGGI_TYRE_UNLOADED_RADIUS] += re2b;
+      re2b = 0.0;
     }
     /* Re = R0 - rho0 (D atan(B rd) + F rd),  rd = Fz / Fz0,  rho0 = Fz0 / Cz;  R0 in the air */
     pb[adr + MAGGI_TYRE_LFZO] += fz0b * p[adr];
@@ -2791,58 +2804,85 @@ void maggi_rolling_b(const maggi_topo *t, const double p[restrict t->np], double
     N2b = -(tb90 * v2);
     z2_2b = -(tb90 * rhov);
     Zb[carrier][2] += v2b;
-    w2_2b = v2b;
+    vc2b = v2b;
+    vr2b = v2b;
     Zb[carrier][1] += v1b;
-    w1b = v1b;
+    vc1b = v1b;
+    vr1b = v1b;
     Zb[carrier][0] += v0b;
-    w0b = v0b;
-    wr0b = w2_2b * c1;
-    c1b = w2_2b * wr0;
-    wr1b = -(w2_2b * c0);
-    c0b = -(w2_2b * wr1);
-    wr2b = w1b * c0;
-    c0b += w1b * wr2;
-    wr0b -= w1b * c2_2;
-    c2_2b = -(w1b * wr0);
-    wr1b += w0b * c2_2;
-    c2_2b += w0b * wr1;
-    wr2b -= w0b * c1;
-    c1b -= w0b * wr2;
-    Zb[carrier][5] += wr2b;
-    Zb[carrier][4] += wr1b;
-    Zb[carrier][3] += wr0b;
-    rb[t->wheelpoint[i]][2] += c2_2b;
-    arm2b = c2_2b;
-    rb[t->wheelpoint[i]][1] += c1b;
-    arm1b = c1b;
-    rb[t->wheelpoint[i]][0] += c0b;
-    arm0b = c0b;
+    vc0b = v0b;
+    vr0b = v0b;
+    wr0b = vr2b * arm1;
+    arm1b = vr2b * wr0;
+    wr1b = -(vr2b * arm0);
+    arm0b = -(vr2b * wr1);
+    wr2b = vr1b * arm0;
+    arm0b += vr1b * wr2;
+    wr0b -= vr1b * arm2;
+    arm2b = -(vr1b * wr0);
+    wr1b += vr0b * arm2;
+    arm2b += vr0b * wr1;
+    wr2b -= vr0b * arm1;
+    arm1b -= vr0b * wr2;
+    w0b = vc2b * r_i1;
+    r_i1b = vc2b * w0;
+    w1b = -(vc2b * r_i0);
+    r_i0b = -(vc2b * w1);
+    w2_2b = vc1b * r_i0;
+    r_i0b += vc1b * w2_2;
+    w0b -= vc1b * r_i2;
+    r_i2b = -(vc1b * w0);
+    rb[t->wheelpoint[i]][0] += r_i0b;
+    w1b += vc0b * r_i2;
+    r_i2b += vc0b * w1;
+    w2_2b -= vc0b * r_i1;
+    r_i1b -= vc0b * w2_2;
+    rb[t->wheelpoint[i]][1] += r_i1b;
+    rb[t->wheelpoint[i]][2] += r_i2b;
+    w2_2b += wr2b;
+    turnb -= wr2b * u2_2;
+    u2_2b -= wr2b * turn;
+    w1b += wr1b;
+    turnb -= wr1b * u1;
+    u1b -= wr1b * turn;
+    w0b += wr0b;
+    turnb -= wr0b * u0;
+    u0b -= wr0b * turn;
+    w0b += turnb * u0;
+    u0b += turnb * w0;
+    w1b += turnb * u1;
+    u1b += turnb * w1;
+    w2_2b += turnb * u2_2;
+    u2_2b += turnb * w2_2;
+    Zb[carrier][5] += w2_2b;
+    Zb[carrier][4] += w1b;
+    Zb[carrier][3] += w0b;
     h12b = z3_2b;
     w2b = z2_2b;
     r2b = z0b;
     normal2b = N2b;
     along2b = T2b;
     tb88 = arm2b / w2;
-    r2b += tb88 * (c2 * u2_2 - normal2);
+    r2b += tb88 * (c * u2_2 - normal2);
     tb89 = tb88 * r2;
-    c2b = tb89 * u2_2;
-    u2_2b += tb89 * c2;
+    cb = tb89 * u2_2;
+    u2_2b += tb89 * c;
     normal2b -= tb89;
     w2b -= tb88 * arm2;
     along1b = T1b;
     tb86 = arm1b / w2;
-    r2b += tb86 * (c2 * u1 - normal1);
+    r2b += tb86 * (c * u1 - normal1);
     tb87 = tb86 * r2;
-    c2b += tb87 * u1;
-    u1b += tb87 * c2;
+    cb += tb87 * u1;
+    u1b += tb87 * c;
     w2b -= tb86 * arm1;
     normal0b = N0b;
     along0b = T0b;
     tb84 = arm0b / w2;
-    r2b += tb84 * (c2 * u0 - normal0);
+    r2b += tb84 * (c * u0 - normal0);
     tb85 = tb84 * r2;
-    c2b += tb85 * u0;
-    u0b += tb85 * c2;
+    cb += tb85 * u0;
+    u0b += tb85 * c;
     normal0b -= tb85;
     w2b -= tb84 * arm0;
     tb83 = along2b / w2;
@@ -2881,11 +2921,11 @@ void maggi_rolling_b(const maggi_topo *t, const double p[restrict t->np], double
     u1b += un0b * normal2;
     normal2b += un0b * u1;
     u2_2b -= un0b * normal1;
-    u0b += c2b * normal0;
-    normal0b += c2b * u0;
-    u1b += c2b * normal1;
-    u2_2b += c2b * normal2;
-    normal2b += c2b * u2_2;
+    u0b += cb * normal0;
+    normal0b += cb * u0;
+    u1b += cb * normal1;
+    u2_2b += cb * normal2;
+    normal2b += cb * u2_2;
     tb77 = normal2b / s;
     sb = -(tb77 * normal2);
     tb76 = normal0b / s;
@@ -2935,7 +2975,7 @@ void maggi_rolling_b(const maggi_topo *t, const double p[restrict t->np], double
       radius2 = p[t->roadadr[road]];
       base2 = radius2 - p[t->roadadr[road] + MAGGI_BUMPS_HEIGHT];
       t22 = radius2 * radius2 - base2 * base2;
-      c5 = sqrt(t22);
+      c4 = sqrt(t22);
       f2 = 0.5 * p[t->roadadr[road] + MAGGI_BUMPS_FILLET];
       if (MAGGI_RE(x4) > 0.0) {
         way2 = 1.0;
@@ -2949,25 +2989,25 @@ void maggi_rolling_b(const maggi_topo *t, const double p[restrict t->np], double
       b40b = h10b;
       h10b = 0.0;
       base2b = 0.0;
-      c5b = 0.0;
+      c4b = 0.0;
       f2b = 0.0;
       radius2b = 0.0;
       x4b = 0.0;
       y2b = 0.0;
-      if (MAGGI_RE(y2) >= MAGGI_RE(c5 + f2)) {
+      if (MAGGI_RE(y2) >= MAGGI_RE(c4 + f2)) {
         b41b = 0.0;
         b40b = 0.0;
-      } else if (MAGGI_RE(y2) > MAGGI_RE(c5 - f2)) {
-        t23 = radius2 * radius2 - (c5 - f2) * (c5 - f2);
+      } else if (MAGGI_RE(y2) > MAGGI_RE(c4 - f2)) {
+        t23 = radius2 * radius2 - (c4 - f2) * (c4 - f2);
         z3 = sqrt(t23);
         h0_3 = z3 - base2;
-        h1_3 = 2.0 * f2 * (c5 - f2) / z3;
+        h1_3 = 2.0 * f2 * (c4 - f2) / z3;
         a3 = 3.0 * h0_3 - h1_3;
         t24 = z3 * z3 * z3;
         t25 = 2.0 * f2 * f2 * radius2 * radius2 / t24;
         b5 = 6.0 * h0_3 - 3.0 * h1_3 - t25;
         t26 = 2.0 * f2;
-        u3 = (c5 + f2 - y2) / t26;
+        u3 = (c4 + f2 - y2) / t26;
         w4 = 1.0 - u3;
         t27 = 2.0 * f2;
         t28 = -way2 * u3 * u3 * (3.0 * (h0_3 + w4 * (a3 + w4 * b5)) - u3 * (a3 + 2.0 * w4 * b5)) /
@@ -3008,7 +3048,7 @@ void maggi_rolling_b(const maggi_topo *t, const double p[restrict t->np], double
         b40b = 0.0;
         u3b -= w4b;
         tb46 = u3b / t26;
-        c5b += tb46;
+        c4b += tb46;
         f2b += tb46;
         y2b -= tb46;
         t26b = -(tb46 * u3);
@@ -3031,9 +3071,9 @@ void maggi_rolling_b(const maggi_topo *t, const double p[restrict t->np], double
         h0_3b += a3b * 3.0;
         h1_3b -= a3b;
         tb40 = h1_3b / z3;
-        f2b += tb40 * (c5 - f2) * 2.0;
+        f2b += tb40 * (c4 - f2) * 2.0;
         tb41 = tb40 * (2.0 * f2);
-        c5b += tb41;
+        c4b += tb41;
         f2b -= tb41;
         z3b -= tb40 * h1_3;
         z3b += h0_3b;
@@ -3041,11 +3081,11 @@ void maggi_rolling_b(const maggi_topo *t, const double p[restrict t->np], double
         t23b = z3b * (1.0 / (2.0 * z3));
         radius2b += t23b * radius2;
         radius2b += t23b * radius2;
-        tb38 = t23b * (c5 - f2);
-        c5b -= tb38;
+        tb38 = t23b * (c4 - f2);
+        c4b -= tb38;
         f2b += tb38;
-        tb39 = t23b * (c5 - f2);
-        c5b -= tb39;
+        tb39 = t23b * (c4 - f2);
+        c4b -= tb39;
         f2b += tb39;
       } else {
         t29 = radius2 * radius2 - y2 * y2;
@@ -3067,7 +3107,7 @@ void maggi_rolling_b(const maggi_topo *t, const double p[restrict t->np], double
       }
       x4b += y2b * way2;
       pb[t->roadadr[road] + MAGGI_BUMPS_FILLET] += f2b * 0.5;
-      t22b = c5b * (1.0 / (2.0 * c5));
+      t22b = c4b * (1.0 / (2.0 * c4));
       radius2b += t22b * radius2;
       radius2b += t22b * radius2;
       base2b -= t22b * base2;
@@ -3151,24 +3191,24 @@ void maggi_rolling_b(const maggi_topo *t, const double p[restrict t->np], double
         p_roadk9 = p[t->roadadr[road] + k9];
         h2_3 = p_roadk91 - p_roadk9;
         a4 = p_roadk91 - x;
-        c6 = x - p_roadk9;
+        c5 = x - p_roadk9;
         p7 = p[t->roadadr[road] + t->roadn[road] + k9];
         t33 = (p[t->roadadr[road] + t->roadn[road] + k9 + 1] - p7) / h2_3;
         spline0_roadk910 = spline0[t->roadspline[road] + k9 + 1][0];
         spline0_roadk90 = spline0[t->roadspline[road] + k9][0];
         e2 = t33 - h2_3 / 6.0 * (spline0_roadk910 - spline0_roadk90);
         t34 = 6.0 * h2_3;
-        t35 = (spline0_roadk90 * a4 * a4 * a4 + spline0_roadk910 * c6 * c6 * c6) / t34;
+        t35 = (spline0_roadk90 * a4 * a4 * a4 + spline0_roadk910 * c5 * c5 * c5) / t34;
         t36 = 2.0 * h2_3;
-        t37 = (spline0_roadk910 * c6 * c6 - spline0_roadk90 * a4 * a4) / t36;
+        t37 = (spline0_roadk910 * c5 * c5 - spline0_roadk90 * a4 * a4) / t36;
         t37b = s31b;
         e2b = s31b;
         s31b = 0.0;
         tb73 = t37b / t36;
-        tb74 = tb73 * c6;
-        spline0_roadk910b = tb74 * c6;
-        c6b = tb74 * spline0_roadk910;
-        c6b += tb73 * (spline0_roadk910 * c6);
+        tb74 = tb73 * c5;
+        spline0_roadk910b = tb74 * c5;
+        c5b = tb74 * spline0_roadk910;
+        c5b += tb73 * (spline0_roadk910 * c5);
         tb75 = tb73 * a4;
         spline0_roadk90b = -(tb75 * a4);
         a4b = -(tb75 * spline0_roadk90);
@@ -3182,8 +3222,8 @@ void maggi_rolling_b(const maggi_topo *t, const double p[restrict t->np], double
         spline0_roadk90b -= tb72 * h2_3;
         h2_3b -= tb72 * spline0_roadk90;
         h2_3b -= tb71 * (spline0_roadk90 * h2_3);
-        e2b += s30b * c6;
-        c6b += s30b * e2;
+        e2b += s30b * c5;
+        c5b += s30b * e2;
         s30b = 0.0;
         tb66 = t35b / t34;
         tb67 = tb66 * a4;
@@ -3192,12 +3232,12 @@ void maggi_rolling_b(const maggi_topo *t, const double p[restrict t->np], double
         a4b += tb68 * spline0_roadk90;
         a4b += tb67 * (spline0_roadk90 * a4);
         a4b += tb66 * (spline0_roadk90 * a4 * a4);
-        tb69 = tb66 * c6;
-        tb70 = tb69 * c6;
-        spline0_roadk910b += tb70 * c6;
-        c6b += tb70 * spline0_roadk910;
-        c6b += tb69 * (spline0_roadk910 * c6);
-        c6b += tb66 * (spline0_roadk910 * c6 * c6);
+        tb69 = tb66 * c5;
+        tb70 = tb69 * c5;
+        spline0_roadk910b += tb70 * c5;
+        c5b += tb70 * spline0_roadk910;
+        c5b += tb69 * (spline0_roadk910 * c5);
+        c5b += tb66 * (spline0_roadk910 * c5 * c5);
         t34b = -(tb66 * t35);
         h2_3b += t34b * 6.0;
         t33b = e2b;
@@ -3212,8 +3252,8 @@ void maggi_rolling_b(const maggi_topo *t, const double p[restrict t->np], double
         p7b -= tb64;
         h2_3b -= tb64 * t33;
         pb[t->roadadr[road] + t->roadn[road] + k9] += p7b;
-        xb += c6b;
-        p_roadk9b = -c6b;
+        xb += c5b;
+        p_roadk9b = -c5b;
         p_roadk91b = a4b;
         xb -= a4b;
         p_roadk91b += h2_3b;
@@ -3263,7 +3303,7 @@ void maggi_rolling_b(const maggi_topo *t, const double p[restrict t->np], double
       radius = p[t->roadadr[road]];
       base = radius - p[t->roadadr[road] + MAGGI_BUMPS_HEIGHT];
       t5 = radius * radius - base * base;
-      c3 = sqrt(t5);
+      c2 = sqrt(t5);
       f = 0.5 * p[t->roadadr[road] + MAGGI_BUMPS_FILLET];
       if (MAGGI_RE(x3) > 0.0) {
         way = 1.0;
@@ -3274,23 +3314,23 @@ void maggi_rolling_b(const maggi_topo *t, const double p[restrict t->np], double
       b20b = h00b;
       h00b = 0.0;
       baseb = 0.0;
-      c3b = 0.0;
+      c2b = 0.0;
       fb = 0.0;
       radiusb = 0.0;
       yb = 0.0;
-      if (MAGGI_RE(y) >= MAGGI_RE(c3 + f)) {
+      if (MAGGI_RE(y) >= MAGGI_RE(c2 + f)) {
         b20b = 0.0;
-      } else if (MAGGI_RE(y) > MAGGI_RE(c3 - f)) {
-        t6 = radius * radius - (c3 - f) * (c3 - f);
+      } else if (MAGGI_RE(y) > MAGGI_RE(c2 - f)) {
+        t6 = radius * radius - (c2 - f) * (c2 - f);
         z2 = sqrt(t6);
         h0_2 = z2 - base;
-        h1_2 = 2.0 * f * (c3 - f) / z2;
+        h1_2 = 2.0 * f * (c2 - f) / z2;
         a = 3.0 * h0_2 - h1_2;
         t7 = z2 * z2 * z2;
         t8 = 2.0 * f * f * radius * radius / t7;
         b3 = 6.0 * h0_2 - 3.0 * h1_2 - t8;
         t9 = 2.0 * f;
-        u2 = (c3 + f - y) / t9;
+        u2 = (c2 + f - y) / t9;
         w3 = 1.0 - u2;
         tb15 = b20b * (h0_2 + w3 * (a + w3 * b3));
         tb16 = tb15 * u2;
@@ -3307,7 +3347,7 @@ void maggi_rolling_b(const maggi_topo *t, const double p[restrict t->np], double
         b20b = 0.0;
         u2b -= w3b;
         tb14 = u2b / t9;
-        c3b += tb14;
+        c2b += tb14;
         fb += tb14;
         yb -= tb14;
         t9b = -(tb14 * u2);
@@ -3330,9 +3370,9 @@ void maggi_rolling_b(const maggi_topo *t, const double p[restrict t->np], double
         h0_2b += ab * 3.0;
         h1_2b -= ab;
         tb8 = h1_2b / z2;
-        fb += tb8 * (c3 - f) * 2.0;
+        fb += tb8 * (c2 - f) * 2.0;
         tb9 = tb8 * (2.0 * f);
-        c3b += tb9;
+        c2b += tb9;
         fb -= tb9;
         z2b -= tb8 * h1_2;
         z2b += h0_2b;
@@ -3340,11 +3380,11 @@ void maggi_rolling_b(const maggi_topo *t, const double p[restrict t->np], double
         t6b = z2b * (1.0 / (2.0 * z2));
         radiusb += t6b * radius;
         radiusb += t6b * radius;
-        tb6 = t6b * (c3 - f);
-        c3b -= tb6;
+        tb6 = t6b * (c2 - f);
+        c2b -= tb6;
         fb += tb6;
-        tb7 = t6b * (c3 - f);
-        c3b -= tb7;
+        tb7 = t6b * (c2 - f);
+        c2b -= tb7;
         fb += tb7;
       } else {
         t10 = radius * radius - y * y;
@@ -3360,7 +3400,7 @@ void maggi_rolling_b(const maggi_topo *t, const double p[restrict t->np], double
       }
       x3b = yb * way;
       pb[t->roadadr[road] + MAGGI_BUMPS_FILLET] += fb * 0.5;
-      t5b = c3b * (1.0 / (2.0 * c3));
+      t5b = c2b * (1.0 / (2.0 * c2));
       radiusb += t5b * radius;
       radiusb += t5b * radius;
       baseb -= t5b * base;
@@ -3437,14 +3477,14 @@ void maggi_rolling_b(const maggi_topo *t, const double p[restrict t->np], double
         p_roadk6 = p[t->roadadr[road] + k6];
         h3_2 = p_roadk61 - p_roadk6;
         a2 = p_roadk61 - x2;
-        c4 = x2 - p_roadk6;
+        c3 = x2 - p_roadk6;
         p4 = p[t->roadadr[road] + t->roadn[road] + k6];
         t13 = (p[t->roadadr[road] + t->roadn[road] + k6 + 1] - p4) / h3_2;
         spline0_roadk610 = spline0[t->roadspline[road] + k6 + 1][0];
         spline0_roadk60 = spline0[t->roadspline[road] + k6][0];
         e = t13 - h3_2 / 6.0 * (spline0_roadk610 - spline0_roadk60);
         t14 = 6.0 * h3_2;
-        t15 = (spline0_roadk60 * a2 * a2 * a2 + spline0_roadk610 * c4 * c4 * c4) / t14;
+        t15 = (spline0_roadk60 * a2 * a2 * a2 + spline0_roadk610 * c3 * c3 * c3) / t14;
         t15b = s20b;
         p4b = s20b;
         tb32 = s20b / 6.0;
@@ -3452,8 +3492,8 @@ void maggi_rolling_b(const maggi_topo *t, const double p[restrict t->np], double
         spline0_roadk60b = -(tb33 * h3_2);
         h3_2b = -(tb33 * spline0_roadk60);
         h3_2b -= tb32 * (spline0_roadk60 * h3_2);
-        eb = s20b * c4;
-        c4b = s20b * e;
+        eb = s20b * c3;
+        c3b = s20b * e;
         s20b = 0.0;
         tb27 = t15b / t14;
         tb28 = tb27 * a2;
@@ -3462,12 +3502,12 @@ void maggi_rolling_b(const maggi_topo *t, const double p[restrict t->np], double
         a2b = tb29 * spline0_roadk60;
         a2b += tb28 * (spline0_roadk60 * a2);
         a2b += tb27 * (spline0_roadk60 * a2 * a2);
-        tb30 = tb27 * c4;
-        tb31 = tb30 * c4;
-        spline0_roadk610b = tb31 * c4;
-        c4b += tb31 * spline0_roadk610;
-        c4b += tb30 * (spline0_roadk610 * c4);
-        c4b += tb27 * (spline0_roadk610 * c4 * c4);
+        tb30 = tb27 * c3;
+        tb31 = tb30 * c3;
+        spline0_roadk610b = tb31 * c3;
+        c3b += tb31 * spline0_roadk610;
+        c3b += tb30 * (spline0_roadk610 * c3);
+        c3b += tb27 * (spline0_roadk610 * c3 * c3);
         t14b = -(tb27 * t15);
         h3_2b += t14b * 6.0;
         t13b = eb;
@@ -3482,8 +3522,8 @@ void maggi_rolling_b(const maggi_topo *t, const double p[restrict t->np], double
         p4b -= tb25;
         h3_2b -= tb25 * t13;
         pb[t->roadadr[road] + t->roadn[road] + k6] += p4b;
-        x2b += c4b;
-        p_roadk6b = -c4b;
+        x2b += c3b;
+        p_roadk6b = -c3b;
         p_roadk61b = a2b;
         x2b -= a2b;
         p_roadk61b += h3_2b;

@@ -154,38 +154,38 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
       tb192d, tb193, tb193d, tb194, tb194d, tb195, tb195d, tb196, tb196d, tb197, tb197d, tb198,
       tb198d, tb199, tb199d, tb19d, tb2, tb20, tb200, tb200d, tb201, tb201d, tb202, tb202d, tb203,
       tb203d, tb204, tb204d, tb205, tb205d, tb206, tb206d, tb207, tb207d, tb208, tb208d, tb209,
-      tb209d, tb20d, tb21, tb210, tb210d, tb211, tb211d, tb212, tb212d, tb21d, tb22, tb22d, tb23,
-      tb23d, tb24, tb24d, tb25, tb25d, tb26, tb26d, tb27, tb27d, tb28, tb28d, tb29, tb29d, tb2d,
-      tb3, tb30, tb30d, tb31, tb31d, tb32, tb32d, tb33, tb33d, tb34, tb34d, tb35, tb35d, tb36,
-      tb36d, tb37, tb37d, tb38, tb38d, tb39, tb39d, tb3d, tb4, tb40, tb40d, tb41, tb41d, tb42,
-      tb42d, tb43, tb43d, tb44, tb44d, tb45, tb45d, tb46, tb46d, tb47, tb47d, tb48, tb48d, tb49,
-      tb49d, tb4d, tb5, tb50, tb50d, tb51, tb51d, tb52, tb52d, tb53, tb53d, tb54, tb54d, tb55,
-      tb55d, tb56, tb56d, tb57, tb57d, tb58, tb58d, tb59, tb59d, tb5d, tb6, tb60, tb60d, tb61,
-      tb61d, tb62, tb62d, tb63, tb63d, tb64, tb64d, tb65, tb65d, tb66, tb66d, tb67, tb67d, tb68,
-      tb68d, tb69, tb69d, tb6d, tb7, tb70, tb70d, tb71, tb71d, tb72, tb72d, tb73, tb73d, tb74,
-      tb74d, tb75, tb75d, tb76, tb76d, tb77, tb77d, tb78, tb78d, tb79, tb79d, tb7d, tb8, tb80,
-      tb80d, tb81, tb81d, tb82, tb82d, tb83, tb83d, tb84, tb84d, tb85, tb85d, tb86, tb86d, tb87,
-      tb87d, tb88, tb88d, tb89, tb89d, tb8d, tb9, tb90, tb90d, tb91, tb91d, tb92, tb92d, tb93,
-      tb93d, tb94, tb94d, tb95, tb95d, tb96, tb96d, tb97, tb97d, tb98, tb98d, tb99, tb99d, tb9d, u0,
-      u0b, u0bd, u0d, u1, u1b, u1bd, u1d, u2, u2_2, u2_2b, u2_2bd, u2_2d, u2b, u2bd, u2d, u3, u3b,
-      u3bd, u3d, ua0, ua0b, ua0bd, ua0d, ua1, ua1b, ua1bd, ua1d, ua2, ua2b, ua2bd, ua2d, un0, un0b,
-      un0bd, un0d, un1, un1b, un1bd, un1d, un2, un2b, un2bd, un2d, v0, v0b, v0bd, v0d, v1, v1b,
-      v1bd, v1d, v2, v2b, v2bd, v2d, vr0, vr0b, vr0bd, vr0d, vr1, vr1b, vr1bd, vr1d, vr2, vr2b,
-      vr2bd, vr2d, vx, vxb, vxbd, vxd, w, w2, w2b, w2bd, w2d, w3, w3b, w3bd, w3d, way, way2, way3,
-      way3b, way3bd, way3d, wb, wbd, wd, wr0, wr0b, wr0bd, wr0d, wr1, wr1b, wr1bd, wr1d, wr2, wr2b,
-      wr2bd, wr2d, x, x2, x2b, x2bd, x2d, x3, x3b, x3bd, x3d, x4, x4b, x4bd, x4d, x50, x50b, x50bd,
-      x50d, x51, x51b, x51bd, x51d, x52, x52b, x52bd, x52d, x53, x53b, x53bd, x53d, x54, x54b,
-      x54bd, x54d, x55, x55b, x55bd, x55d, x6, x6b, x6bd, x6d, x7, x7b, x7bd, x7d, x8, x8b, x8bd,
-      x8d, x9, x9b, x9bd, x9d, xb, xbd, xd, y, y10, y10b, y10bd, y10d, y11, y11b, y11bd, y11d, y12,
-      y12b, y12bd, y12d, y13, y13b, y13bd, y13d, y14, y14b, y14bd, y14d, y15, y15b, y15bd, y15d,
-      y16, y16b, y16bd, y16d, y17, y17b, y17bd, y17d, y18, y18b, y18bd, y18d, y19, y19b, y19bd,
-      y19d, y2, y20, y20b, y20bd, y20d, y2b, y2bd, y2d, y3, y3b, y3bd, y3d, y40, y40b, y40bd, y40d,
-      y41, y41b, y41bd, y41d, y42, y42b, y42bd, y42d, y43, y43b, y43bd, y43d, y44, y44b, y44bd,
-      y44d, y45, y45b, y45bd, y45d, y5, y5b, y5bd, y5d, y6, y6b, y6bd, y6d, y7, y7b, y7bd, y7d, y8,
-      y8b, y8bd, y8d, y9, y9b, y9bd, y9d, yb, ybd, yd, z0, z0b, z0bd, z0d, z1, z1b, z1bd, z1d, z2,
-      z2_2, z2_2b, z2_2bd, z2_2d, z2_3, z2_3b, z2_3bd, z2_3d, z2b, z2bd, z2d, z3, z3_2, z3_2b,
-      z3_2bd, z3_2d, z3_3, z3_3b, z3_3bd, z3_3d, z3b, z3bd, z3d, z40, z40b, z40bd, z40d, z41b,
-      z41bd, z5, z5b, z5bd, z5d, z6, z6b, z6bd, z6d, z7, z7b, z7bd, z7d;
+      tb209d, tb20d, tb21, tb21d, tb22, tb22d, tb23, tb23d, tb24, tb24d, tb25, tb25d, tb26, tb26d,
+      tb27, tb27d, tb28, tb28d, tb29, tb29d, tb2d, tb3, tb30, tb30d, tb31, tb31d, tb32, tb32d, tb33,
+      tb33d, tb34, tb34d, tb35, tb35d, tb36, tb36d, tb37, tb37d, tb38, tb38d, tb39, tb39d, tb3d,
+      tb4, tb40, tb40d, tb41, tb41d, tb42, tb42d, tb43, tb43d, tb44, tb44d, tb45, tb45d, tb46,
+      tb46d, tb47, tb47d, tb48, tb48d, tb49, tb49d, tb4d, tb5, tb50, tb50d, tb51, tb51d, tb52,
+      tb52d, tb53, tb53d, tb54, tb54d, tb55, tb55d, tb56, tb56d, tb57, tb57d, tb58, tb58d, tb59,
+      tb59d, tb5d, tb6, tb60, tb60d, tb61, tb61d, tb62, tb62d, tb63, tb63d, tb64, tb64d, tb65,
+      tb65d, tb66, tb66d, tb67, tb67d, tb68, tb68d, tb69, tb69d, tb6d, tb7, tb70, tb70d, tb71,
+      tb71d, tb72, tb72d, tb73, tb73d, tb74, tb74d, tb75, tb75d, tb76, tb76d, tb77, tb77d, tb78,
+      tb78d, tb79, tb79d, tb7d, tb8, tb80, tb80d, tb81, tb81d, tb82, tb82d, tb83, tb83d, tb84,
+      tb84d, tb85, tb85d, tb86, tb86d, tb87, tb87d, tb88, tb88d, tb89, tb89d, tb8d, tb9, tb90,
+      tb90d, tb91, tb91d, tb92, tb92d, tb93, tb93d, tb94, tb94d, tb95, tb95d, tb96, tb96d, tb97,
+      tb97d, tb98, tb98d, tb99, tb99d, tb9d, u0, u0b, u0bd, u0d, u1, u1b, u1bd, u1d, u2, u2_2,
+      u2_2b, u2_2bd, u2_2d, u2b, u2bd, u2d, u3, u3b, u3bd, u3d, ua0, ua0b, ua0bd, ua0d, ua1, ua1b,
+      ua1bd, ua1d, ua2, ua2b, ua2bd, ua2d, un0, un0b, un0bd, un0d, un1, un1b, un1bd, un1d, un2,
+      un2b, un2bd, un2d, v0, v0b, v0bd, v0d, v1, v1b, v1bd, v1d, v2, v2b, v2bd, v2d, vr0, vr0b,
+      vr0bd, vr0d, vr1, vr1b, vr1bd, vr1d, vr2, vr2b, vr2bd, vr2d, vx, vxb, vxbd, vxd, w, w2, w2b,
+      w2bd, w2d, w3, w3b, w3bd, w3d, way, way2, way3, way3b, way3bd, way3d, wb, wbd, wd, wr0, wr0b,
+      wr0bd, wr0d, wr1, wr1b, wr1bd, wr1d, wr2, wr2b, wr2bd, wr2d, x, x2, x2b, x2bd, x2d, x3, x3b,
+      x3bd, x3d, x4, x4b, x4bd, x4d, x50, x50b, x50bd, x50d, x51, x51b, x51bd, x51d, x52, x52b,
+      x52bd, x52d, x53, x53b, x53bd, x53d, x54, x54b, x54bd, x54d, x55, x55b, x55bd, x55d, x6, x6b,
+      x6bd, x6d, x7, x7b, x7bd, x7d, x8, x8b, x8bd, x8d, x9, x9b, x9bd, x9d, xb, xbd, xd, y, y10,
+      y10b, y10bd, y10d, y11, y11b, y11bd, y11d, y12, y12b, y12bd, y12d, y13, y13b, y13bd, y13d,
+      y14, y14b, y14bd, y14d, y15, y15b, y15bd, y15d, y16, y16b, y16bd, y16d, y17, y17b, y17bd,
+      y17d, y18, y18b, y18bd, y18d, y19, y19b, y19bd, y19d, y2, y20, y20b, y20bd, y20d, y2b, y2bd,
+      y2d, y3, y3b, y3bd, y3d, y40, y40b, y40bd, y40d, y41, y41b, y41bd, y41d, y42, y42b, y42bd,
+      y42d, y43, y43b, y43bd, y43d, y44, y44b, y44bd, y44d, y45, y45b, y45bd, y45d, y5, y5b, y5bd,
+      y5d, y6, y6b, y6bd, y6d, y7, y7b, y7bd, y7d, y8, y8b, y8bd, y8d, y9, y9b, y9bd, y9d, yb, ybd,
+      yd, z0, z0b, z0bd, z0d, z1, z1b, z1bd, z1d, z2, z2_2, z2_2b, z2_2bd, z2_2d, z2_3, z2_3b,
+      z2_3bd, z2_3d, z2b, z2bd, z2d, z3, z3_2, z3_2b, z3_2bd, z3_2d, z3_3, z3_3b, z3_3bd, z3_3d,
+      z3b, z3bd, z3d, z40, z40b, z40bd, z40d, z41b, z41bd, z5, z5b, z5bd, z5d, z6, z6b, z6bd, z6d,
+      z7, z7b, z7bd, z7d;
 
   for (i = t->nwheel - 1; i >= 0; --i) {
     road = t->wheelroad[i];
@@ -647,18 +647,20 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
     z2_2d = wd;
     z3_2 = h12;
     z3_2d = h12d;
-    Z_i3 = Z[t->wheelcarrier[i]][3];
-    Z_i3d = Zd[t->wheelcarrier[i]][3];
-    wr0 = Z_i3;
-    wr0d = Z_i3d;
-    Z_i4 = Z[t->wheelcarrier[i]][4];
-    Z_i4d = Zd[t->wheelcarrier[i]][4];
-    wr1 = Z_i4;
-    wr1d = Z_i4d;
-    Z_i5 = Z[t->wheelcarrier[i]][5];
-    Z_i5d = Zd[t->wheelcarrier[i]][5];
-    wr2 = Z_i5;
-    wr2d = Z_i5d;
+    Z_i3 = Z[t->wheelbody[i]][3];
+    Z_i3d = Zd[t->wheelbody[i]][3];
+    Z_i4 = Z[t->wheelbody[i]][4];
+    Z_i4d = Zd[t->wheelbody[i]][4];
+    Z_i5 = Z[t->wheelbody[i]][5];
+    Z_i5d = Zd[t->wheelbody[i]][5];
+    omega = Z_i3 * u0 + Z_i4 * u1 + Z_i5 * u2_2;
+    omegad = Z_i3d * u0 + Z_i3 * u0d + (Z_i4d * u1 + Z_i4 * u1d) + (Z_i5d * u2_2 + Z_i5 * u2_2d);
+    wr0 = Z_i3 - omega * u0;
+    wr0d = Z_i3d - (omegad * u0 + omega * u0d);
+    wr1 = Z_i4 - omega * u1;
+    wr1d = Z_i4d - (omegad * u1 + omega * u1d);
+    wr2 = Z_i5 - omega * u2_2;
+    wr2d = Z_i5d - (omegad * u2_2 + omega * u2_2d);
     vr0 = wr1 * arm2 - wr2 * arm1;
     vr0d = wr1d * arm2 + wr1 * arm2d - (wr2d * arm1 + wr2 * arm1d);
     vr1 = wr2 * arm0 - wr0 * arm2;
@@ -676,11 +678,6 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
     rhov = (z3_2 * v0 - (v0 * N0 + v1 * N1 + v2 * N2)) / z2_2;
     rhovd = (z3_2d * v0 + z3_2 * v0d - (v0d * N0 + v0 * N0d + v1d * N1 + (v2d * N2 + v2 * N2d)) -
         rhov * z2_2d) * (1.0 / z2_2);
-    omega = (Z[t->wheelbody[i]][3] - Z_i3) * u0 + (Z[t->wheelbody[i]][4] - Z_i4) * u1 +
-        (Z[t->wheelbody[i]][5] - Z_i5) * u2_2;
-    omegad = (Zd[t->wheelbody[i]][3] - Z_i3d) * u0 + (Z[t->wheelbody[i]][3] - Z_i3) * u0d +
-        ((Zd[t->wheelbody[i]][4] - Z_i4d) * u1 + (Z[t->wheelbody[i]][4] - Z_i4) * u1d) +
-        ((Zd[t->wheelbody[i]][5] - Z_i5d) * u2_2 + (Z[t->wheelbody[i]][5] - Z_i5) * u2_2d);
     fz = slip[i][MAGGI_SLIP_FZ];
     fzd = slipd[i][MAGGI_SLIP_FZ];
     fz0 = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LFZO] * p[t->tyreadr[t->wheeltyre[i]]];
@@ -752,66 +749,66 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
     f_i4d = fd[i][4];
     f_i5 = f[i][5];
     f_i5d = fd[i][5];
-    tb212 = Fb[i][5];
-    tb212d = Fbd[i][5];
+    tb209 = Fb[i][5];
+    tb209d = Fbd[i][5];
     Fb[i][5] = 0.0;
     Fbd[i][5] = 0.0;
-    moment2b = tb212;
-    moment2bd = tb212d;
-    f_i3b = tb212 * T2;
-    f_i3bd = tb212d * T2 + tb212 * T2d;
-    T2b = tb212 * f_i3;
-    T2bd = tb212d * f_i3 + tb212 * f_i3d;
-    f_i4b = tb212 * L2;
-    f_i4bd = tb212d * L2 + tb212 * L2d;
-    L2b = tb212 * f_i4;
-    L2bd = tb212d * f_i4 + tb212 * f_i4d;
-    f_i5b = tb212 * N2;
-    f_i5bd = tb212d * N2 + tb212 * N2d;
-    N2b = tb212 * f_i5;
-    N2bd = tb212d * f_i5 + tb212 * f_i5d;
+    moment2b = tb209;
+    moment2bd = tb209d;
+    f_i3b = tb209 * T2;
+    f_i3bd = tb209d * T2 + tb209 * T2d;
+    T2b = tb209 * f_i3;
+    T2bd = tb209d * f_i3 + tb209 * f_i3d;
+    f_i4b = tb209 * L2;
+    f_i4bd = tb209d * L2 + tb209 * L2d;
+    L2b = tb209 * f_i4;
+    L2bd = tb209d * f_i4 + tb209 * f_i4d;
+    f_i5b = tb209 * N2;
+    f_i5bd = tb209d * N2 + tb209 * N2d;
+    N2b = tb209 * f_i5;
+    N2bd = tb209d * f_i5 + tb209 * f_i5d;
     force32b = Fb[i][2];
     force32bd = Fbd[i][2];
     Fb[i][2] = 0.0;
     Fbd[i][2] = 0.0;
-    tb211 = Fb[i][4];
-    tb211d = Fbd[i][4];
+    tb208 = Fb[i][4];
+    tb208d = Fbd[i][4];
     Fb[i][4] = 0.0;
     Fbd[i][4] = 0.0;
-    moment1b = tb211;
-    moment1bd = tb211d;
-    f_i3b += tb211 * T1;
-    f_i3bd += tb211d * T1 + tb211 * T1d;
-    T1b = tb211 * f_i3;
-    T1bd = tb211d * f_i3 + tb211 * f_i3d;
-    f_i4b += tb211 * L1;
-    f_i4bd += tb211d * L1 + tb211 * L1d;
-    L1b = tb211 * f_i4;
-    L1bd = tb211d * f_i4 + tb211 * f_i4d;
-    f_i5b += tb211 * N1;
-    f_i5bd += tb211d * N1;
+    moment1b = tb208;
+    moment1bd = tb208d;
+    f_i3b += tb208 * T1;
+    f_i3bd += tb208d * T1 + tb208 * T1d;
+    T1b = tb208 * f_i3;
+    T1bd = tb208d * f_i3 + tb208 * f_i3d;
+    f_i4b += tb208 * L1;
+    f_i4bd += tb208d * L1 + tb208 * L1d;
+    L1b = tb208 * f_i4;
+    L1bd = tb208d * f_i4 + tb208 * f_i4d;
+    f_i5b += tb208 * N1;
+    f_i5bd += tb208d * N1;
     force31b = Fb[i][1];
     force31bd = Fbd[i][1];
     Fb[i][1] = 0.0;
     Fbd[i][1] = 0.0;
-    tb210 = Fb[i][3];
-    tb210d = Fbd[i][3];
+    tb207 = Fb[i][3];
+    tb207d = Fbd[i][3];
     Fb[i][3] = 0.0;
     Fbd[i][3] = 0.0;
-    moment0b = tb210;
-    moment0bd = tb210d;
-    f_i3b += tb210 * T0;
-    f_i3bd += tb210d * T0 + tb210 * T0d;
-    T0b = tb210 * f_i3;
-    T0bd = tb210d * f_i3 + tb210 * f_i3d;
-    f_i4b += tb210 * L0;
-    f_i4bd += tb210d * L0 + tb210 * L0d;
-    L0b = tb210 * f_i4;
-    L0bd = tb210d * f_i4 + tb210 * f_i4d;
-    f_i5b += tb210 * N0;
-    f_i5bd += tb210d * N0 + tb210 * N0d;
-    N0b = tb210 * f_i5;
-    N0bd = tb210d * f_i5 + tb210 * f_i5d;
+    moment0b = tb207;
+    moment0bd = tb207d;
+    f_i3b += tb207 * T0;
+    f_i3bd += tb207d * T0 + tb207 * T0d;
+    T0b = tb207 * f_i3;
+    T0bd = tb207d * f_i3 + tb207 * f_i3d;
+    f_i4b += tb207 * L0;
+    f_i4bd += tb207d * L0 + tb207 * L0d;
+    L0b = tb207 * f_i4;
+    L0bd = tb207d * f_i4 + tb207 * f_i4d;
+    f_i5b += tb207 * N0;
+    f_i5bd += tb207d * N0 + tb207 * N0d;
+    N0b = tb207 * f_i5;
+    N0bd = tb207d * f_i5 + tb207 * f_i5d;
     fb[i][5] += f_i5b;
     fbd[i][5] += f_i5bd;
     fb[i][4] += f_i4b;
@@ -1630,16 +1627,16 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
         s4bd = force5bd * fx + force5b * fxd;
         fxb = force5b * s4;
         fxbd = force5bd * s4 + force5b * s4d;
-        tb202 = force4b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMY];
-        tb202d = force4bd * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMY] + force4b *
+        tb199 = force4b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMY];
+        tb199d = force4bd * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMY] + force4b *
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMY];
-        tb203 = tb202 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY1] + t120 +
+        tb200 = tb199 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY1] + t120 +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY3] * way3 * speed2 +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY4] * speed2 * speed2 * speed2 * speed2);
-        tb203d = tb202d * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY1] + t120 +
+        tb200d = tb199d * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY1] + t120 +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY3] * way3 * speed2 +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY4] * speed2 * speed2 * speed2 * speed2) +
-            tb202 * (pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY1] + t120d +
+            tb199 * (pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY1] + t120d +
             ((pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY3] * way3 +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY3] * way3d) * speed2 +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY3] * way3 * speed2d) +
@@ -1648,56 +1645,56 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY4] * speed2 * speed2d) * speed2 +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY4] * speed2 * speed2 * speed2d) * speed2 +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY4] * speed2 * speed2 * speed2 * speed2d));
-        tb204 = tb203 * fz2;
-        tb204d = tb203d * fz2 + tb203 * fz2d;
-        way3b = -(tb204 * r0);
-        way3bd = -(tb204d * r0 + tb204 * r0d);
-        r0b = -(tb204 * way3);
-        r0bd = -(tb204d * way3 + tb204 * way3d);
-        fz2b = tb203 * (-way3 * r0);
-        fz2bd = tb203d * (-way3 * r0) + tb203 * (-(way3d * r0) - way3 * r0d);
-        tb205 = tb202 * (-way3 * r0 * fz2);
-        tb205d = tb202d * (-way3 * r0 * fz2) + tb202 * ((-(way3d * r0) - way3 * r0d) * fz2 + -way3 *
+        tb201 = tb200 * fz2;
+        tb201d = tb200d * fz2 + tb200 * fz2d;
+        way3b = -(tb201 * r0);
+        way3bd = -(tb201d * r0 + tb201 * r0d);
+        r0b = -(tb201 * way3);
+        r0bd = -(tb201d * way3 + tb201 * way3d);
+        fz2b = tb200 * (-way3 * r0);
+        fz2bd = tb200d * (-way3 * r0) + tb200 * (-(way3d * r0) - way3 * r0d);
+        tb202 = tb199 * (-way3 * r0 * fz2);
+        tb202d = tb199d * (-way3 * r0 * fz2) + tb199 * ((-(way3d * r0) - way3 * r0d) * fz2 + -way3 *
             r0 * fz2d);
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY1] += tb205;
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY1] += tb205d;
-        t120b = tb205;
-        t120bd = tb205d;
-        tb206 = tb205 * speed2;
-        tb206d = tb205d * speed2 + tb205 * speed2d;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY3] += tb206 * way3;
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY3] += tb206d * way3 + tb206 * way3d;
-        way3b += tb206 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY3];
-        way3bd += tb206d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY3] + tb206 *
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY1] += tb202;
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY1] += tb202d;
+        t120b = tb202;
+        t120bd = tb202d;
+        tb203 = tb202 * speed2;
+        tb203d = tb202d * speed2 + tb202 * speed2d;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY3] += tb203 * way3;
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY3] += tb203d * way3 + tb203 * way3d;
+        way3b += tb203 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY3];
+        way3bd += tb203d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY3] + tb203 *
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY3];
-        speed2b = tb205 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY3] * way3);
-        speed2bd = tb205d * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY3] * way3) + tb205 *
+        speed2b = tb202 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY3] * way3);
+        speed2bd = tb202d * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY3] * way3) + tb202 *
             (pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY3] * way3 +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY3] * way3d);
-        tb207 = tb205 * speed2;
-        tb207d = tb205d * speed2 + tb205 * speed2d;
-        tb208 = tb207 * speed2;
-        tb208d = tb207d * speed2 + tb207 * speed2d;
-        tb209 = tb208 * speed2;
-        tb209d = tb208d * speed2 + tb208 * speed2d;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY4] += tb209 * speed2;
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY4] += tb209d * speed2 + tb209 * speed2d;
-        speed2b += tb209 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY4];
-        speed2bd += tb209d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY4] + tb209 *
+        tb204 = tb202 * speed2;
+        tb204d = tb202d * speed2 + tb202 * speed2d;
+        tb205 = tb204 * speed2;
+        tb205d = tb204d * speed2 + tb204 * speed2d;
+        tb206 = tb205 * speed2;
+        tb206d = tb205d * speed2 + tb205 * speed2d;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY4] += tb206 * speed2;
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY4] += tb206d * speed2 + tb206 * speed2d;
+        speed2b += tb206 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY4];
+        speed2bd += tb206d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY4] + tb206 *
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY4];
-        speed2b += tb208 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY4] * speed2);
-        speed2bd += tb208d * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY4] * speed2) + tb208 *
+        speed2b += tb205 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY4] * speed2);
+        speed2bd += tb205d * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY4] * speed2) + tb205 *
             (pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY4] * speed2 +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY4] * speed2d);
-        speed2b += tb207 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY4] * speed2 * speed2);
-        speed2bd += tb207d * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY4] * speed2 * speed2) +
-            tb207 * ((pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY4] * speed2 +
+        speed2b += tb204 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY4] * speed2 * speed2);
+        speed2bd += tb204d * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY4] * speed2 * speed2) +
+            tb204 * ((pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY4] * speed2 +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY4] * speed2d) * speed2 +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY4] * speed2 * speed2d);
-        speed2b += tb205 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY4] * speed2 * speed2 *
+        speed2b += tb202 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY4] * speed2 * speed2 *
             speed2);
-        speed2bd += tb205d * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY4] * speed2 * speed2 *
-            speed2) + tb205 * (((pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY4] * speed2 +
+        speed2bd += tb202d * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY4] * speed2 * speed2 *
+            speed2) + tb202 * (((pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY4] * speed2 +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY4] * speed2d) * speed2 +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY4] * speed2 * speed2d) * speed2 +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY4] * speed2 * speed2 * speed2d);
@@ -1722,19 +1719,19 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY4] * speed2 * speed2 * speed2d) * speed2 +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY4] * speed2 * speed2 * speed2 *
             speed2d)));
-        tb201 = t120b / fz0_2;
-        tb201d = (t120bd - tb201 * fz0_2d) * (1.0 / fz0_2);
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY2] += tb201 * fx;
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY2] += tb201d * fx + tb201 * fxd;
-        fxb += tb201 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY2];
-        fxbd += tb201d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY2] + tb201 *
+        tb198 = t120b / fz0_2;
+        tb198d = (t120bd - tb198 * fz0_2d) * (1.0 / fz0_2);
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY2] += tb198 * fx;
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY2] += tb198d * fx + tb198 * fxd;
+        fxb += tb198 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY2];
+        fxbd += tb198d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY2] + tb198 *
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSY2];
-        fz0_2b = -(tb201 * t120);
-        fz0_2bd = -(tb201d * t120 + tb201 * t120d);
-        tb198 = force3_2b * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSX1] *
+        fz0_2b = -(tb198 * t120);
+        fz0_2bd = -(tb198d * t120 + tb198 * t120d);
+        tb195 = force3_2b * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSX1] *
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LVMX] + (-p[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_QSX2] * gamma + t119) * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMX]);
-        tb198d = force3_2bd * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSX1] *
+        tb195d = force3_2bd * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSX1] *
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LVMX] + (-p[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_QSX2] * gamma + t119) * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMX]) +
             force3_2b * (pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSX1] *
@@ -1744,97 +1741,97 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSX2] * gammad + t119d) *
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMX] + (-p[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_QSX2] * gamma + t119) * pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMX]));
-        r0b += tb198 * fz2;
-        r0bd += tb198d * fz2 + tb198 * fz2d;
-        fz2b += tb198 * r0;
-        fz2bd += tb198d * r0 + tb198 * r0d;
-        tb199 = force3_2b * (r0 * fz2);
-        tb199d = force3_2bd * (r0 * fz2) + force3_2b * (r0d * fz2 + r0 * fz2d);
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSX1] += tb199 * p[t->tyreadr[t->wheeltyre[i]] +
+        r0b += tb195 * fz2;
+        r0bd += tb195d * fz2 + tb195 * fz2d;
+        fz2b += tb195 * r0;
+        fz2bd += tb195d * r0 + tb195 * r0d;
+        tb196 = force3_2b * (r0 * fz2);
+        tb196d = force3_2bd * (r0 * fz2) + force3_2b * (r0d * fz2 + r0 * fz2d);
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSX1] += tb196 * p[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_LVMX];
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSX1] += tb199d * p[t->tyreadr[t->wheeltyre[i]]
-            + MAGGI_TYRE_LVMX] + tb199 * pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LVMX];
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LVMX] += tb199 * p[t->tyreadr[t->wheeltyre[i]] +
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSX1] += tb196d * p[t->tyreadr[t->wheeltyre[i]]
+            + MAGGI_TYRE_LVMX] + tb196 * pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LVMX];
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LVMX] += tb196 * p[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_QSX1];
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LVMX] += tb199d * p[t->tyreadr[t->wheeltyre[i]]
-            + MAGGI_TYRE_QSX1] + tb199 * pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSX1];
-        tb200 = tb199 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMX];
-        tb200d = tb199d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMX] + tb199 *
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LVMX] += tb196d * p[t->tyreadr[t->wheeltyre[i]]
+            + MAGGI_TYRE_QSX1] + tb196 * pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSX1];
+        tb197 = tb196 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMX];
+        tb197d = tb196d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMX] + tb196 *
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMX];
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSX2] -= tb200 * gamma;
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSX2] -= tb200d * gamma + tb200 * gammad;
-        gammab = -(tb200 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSX2]);
-        gammabd = -(tb200d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSX2] + tb200 *
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSX2] -= tb197 * gamma;
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSX2] -= tb197d * gamma + tb197 * gammad;
+        gammab = -(tb197 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSX2]);
+        gammabd = -(tb197d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSX2] + tb197 *
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSX2]);
-        t119b = tb200;
-        t119bd = tb200d;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMX] += tb199 * (-p[t->tyreadr[t->wheeltyre[i]]
+        t119b = tb197;
+        t119bd = tb197d;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMX] += tb196 * (-p[t->tyreadr[t->wheeltyre[i]]
             + MAGGI_TYRE_QSX2] * gamma + t119);
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMX] += tb199d *
-            (-p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSX2] * gamma + t119) + tb199 *
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMX] += tb196d *
+            (-p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSX2] * gamma + t119) + tb196 *
             (-(pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSX2] * gamma) -
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSX2] * gammad + t119d);
-        tb197 = t119b / fz0_2;
-        tb197d = (t119bd - tb197 * fz0_2d) * (1.0 / fz0_2);
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSX3] += tb197 * force2;
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSX3] += tb197d * force2 + tb197 * force2d;
-        force2b = tb197 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSX3];
-        force2bd = tb197d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSX3] + tb197 *
+        tb194 = t119b / fz0_2;
+        tb194d = (t119bd - tb194 * fz0_2d) * (1.0 / fz0_2);
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSX3] += tb194 * force2;
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSX3] += tb194d * force2 + tb194 * force2d;
+        force2b = tb194 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSX3];
+        force2bd = tb194d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSX3] + tb194 *
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QSX3];
-        fz0_2b -= tb197 * t119;
-        fz0_2bd -= tb197d * t119 + tb197 * t119d;
+        fz0_2b -= tb194 * t119;
+        fz0_2bd -= tb194d * t119 + tb194 * t119d;
         fz2b += force2_2b;
         fz2bd += force2_2bd;
         force2b += force1b;
         force2bd += force1bd;
         fxb += force0b;
         fxbd += force0bd;
-        tb196 = speed2b / p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LONGVL];
-        tb196d = (speed2bd - tb196 * pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LONGVL]) * (1.0 /
+        tb193 = speed2b / p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LONGVL];
+        tb193d = (speed2bd - tb193 * pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LONGVL]) * (1.0 /
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LONGVL]);
-        one4b = tb196;
-        one4bd = tb196d;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LONGVL] -= tb196 * speed2;
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LONGVL] -= tb196d * speed2 + tb196 * speed2d;
+        one4b = tb193;
+        one4bd = tb193d;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LONGVL] -= tb193 * speed2;
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LONGVL] -= tb193d * speed2 + tb193 * speed2d;
         t118b = way3b * (1.0 - way3 * way3);
         t118bd = way3bd * (1.0 - way3 * way3) - way3b * (way3d * way3 + way3 * way3d);
-        tb195 = t118b / p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LOW_SPEED];
-        tb195d = (t118bd - tb195 * pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LOW_SPEED]) * (1.0 /
+        tb192 = t118b / p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LOW_SPEED];
+        tb192d = (t118bd - tb192 * pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LOW_SPEED]) * (1.0 /
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LOW_SPEED]);
-        one4b += tb195;
-        one4bd += tb195d;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LOW_SPEED] -= tb195 * t118;
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LOW_SPEED] -= tb195d * t118 + tb195 * t118d;
-        tb192 = s4b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LS];
-        tb192d = s4bd * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LS] + s4b *
+        one4b += tb192;
+        one4bd += tb192d;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LOW_SPEED] -= tb192 * t118;
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LOW_SPEED] -= tb192d * t118 + tb192 * t118d;
+        tb189 = s4b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LS];
+        tb189d = s4bd * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LS] + s4b *
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LS];
-        tb193 = tb192 * r0;
-        tb193d = tb192d * r0 + tb192 * r0d;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ1] += tb193;
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ1] += tb193d;
-        t117b = tb193;
-        t117bd = tb193d;
-        tb194 = tb193 * gamma;
-        tb194d = tb193d * gamma + tb193 * gammad;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ3] += tb194;
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ3] += tb194d;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ4] += tb194 * dfz;
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ4] += tb194d * dfz + tb194 * dfzd;
-        dfzb = tb194 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ4];
-        dfzbd = tb194d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ4] + tb194 *
+        tb190 = tb189 * r0;
+        tb190d = tb189d * r0 + tb189 * r0d;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ1] += tb190;
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ1] += tb190d;
+        t117b = tb190;
+        t117bd = tb190d;
+        tb191 = tb190 * gamma;
+        tb191d = tb190d * gamma + tb190 * gammad;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ3] += tb191;
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ3] += tb191d;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ4] += tb191 * dfz;
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ4] += tb191d * dfz + tb191 * dfzd;
+        dfzb = tb191 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ4];
+        dfzbd = tb191d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ4] + tb191 *
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ4];
-        gammab += tb193 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ3] +
+        gammab += tb190 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ3] +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ4] * dfz);
-        gammabd += tb193d * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ3] +
-            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ4] * dfz) + tb193 *
+        gammabd += tb190d * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ3] +
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ4] * dfz) + tb190 *
             (pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ3] + (pd[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_SSZ4] * dfz + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ4] * dfzd));
-        r0b += tb192 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ1] + t117 +
+        r0b += tb189 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ1] + t117 +
             (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ3] + p[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_SSZ4] * dfz) * gamma);
-        r0bd += tb192d * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ1] + t117 +
+        r0bd += tb189d * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ1] + t117 +
             (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ3] + p[t->tyreadr[t->wheeltyre[i]] +
-            MAGGI_TYRE_SSZ4] * dfz) * gamma) + tb192 * (pd[t->tyreadr[t->wheeltyre[i]] +
+            MAGGI_TYRE_SSZ4] * dfz) * gamma) + tb189 * (pd[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_SSZ1] + t117d + ((pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ3] +
             (pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ4] * dfz + p[t->tyreadr[t->wheeltyre[i]]
             + MAGGI_TYRE_SSZ4] * dfzd)) * gamma + (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ3]
@@ -1853,31 +1850,31 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
             (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ1] + t117 +
             (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ3] + p[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_SSZ4] * dfz) * gamma) * r0d);
-        tb191 = t117b / fz0_2;
-        tb191d = (t117bd - tb191 * fz0_2d) * (1.0 / fz0_2);
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ2] += tb191 * force2;
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ2] += tb191d * force2 + tb191 * force2d;
-        force2b += tb191 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ2];
-        force2bd += tb191d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ2] + tb191 *
+        tb188 = t117b / fz0_2;
+        tb188d = (t117bd - tb188 * fz0_2d) * (1.0 / fz0_2);
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ2] += tb188 * force2;
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ2] += tb188d * force2 + tb188 * force2d;
+        force2b += tb188 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ2];
+        force2bd += tb188d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ2] + tb188 *
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_SSZ2];
-        fz0_2b -= tb191 * t117;
-        fz0_2bd -= tb191d * t117 + tb191 * t117d;
+        fz0_2b -= tb188 * t117;
+        fz0_2bd -= tb188d * t117 + tb188 * t117d;
         fyb += force2b;
         fybd += force2bd;
         g28b = force2b;
         g28bd = force2bd;
-        tb190 = z41b * ca;
-        tb190d = z41bd * ca + z41b * cad;
-        drb = tb190 * t116;
-        drbd = tb190d * t116 + tb190 * t116d;
-        t116b = tb190 * dr;
-        t116bd = tb190d * dr + tb190 * drd;
+        tb187 = z41b * ca;
+        tb187d = z41bd * ca + z41b * cad;
+        drb = tb187 * t116;
+        drbd = tb187d * t116 + tb187 * t116d;
+        t116b = tb187 * dr;
+        t116bd = tb187d * dr + tb187 * drd;
         cab = z41b * (dr * t116);
         cabd = z41bd * (dr * t116) + z41b * (drd * t116 + dr * t116d);
-        tb189 = t116b / t115;
-        tb189d = (t116bd - tb189 * t115d) * (1.0 / t115);
-        t115b = -(tb189 * t116);
-        t115bd = -(tb189d * t116 + tb189 * t116d);
+        tb186 = t116b / t115;
+        tb186d = (t116bd - tb186 * t115d) * (1.0 / t115);
+        t115b = -(tb186 * t116);
+        t115bd = -(tb186d * t116 + tb186 * t116d);
         t114b = t115b * (1.0 / (2.0 * t115));
         t114bd = t115bd * (1.0 / (2.0 * t115)) - t115b * (1.0 / (2.0 * t115) * (2.0 * t115d) / (2.0
             * t115));
@@ -1889,12 +1886,12 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
         brbd = x9bd * areq + x9b * areqd;
         areqb = x9b * br;
         areqbd = x9bd * br + x9b * brd;
-        tb188 = z40b * ca;
-        tb188d = z40bd * ca + z40b * cad;
-        dtb = tb188 * t113;
-        dtbd = tb188d * t113 + tb188 * t113d;
-        t113b = tb188 * dt;
-        t113bd = tb188d * dt + tb188 * dtd;
+        tb185 = z40b * ca;
+        tb185d = z40bd * ca + z40b * cad;
+        dtb = tb185 * t113;
+        dtbd = tb185d * t113 + tb185 * t113d;
+        t113b = tb185 * dt;
+        t113bd = tb185d * dt + tb185 * dtd;
         cab += z40b * (dt * t113);
         cabd += z40bd * (dt * t113) + z40b * (dtd * t113 + dt * t113d);
         t112b = -(t113b * sin(t112));
@@ -1922,10 +1919,10 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
         btbd = y20bd * ateq + y20b * ateqd;
         ateqb = y20b * bt;
         ateqbd = y20bd * bt + y20b * btd;
-        tb187 = cab / t108;
-        tb187d = (cabd - tb187 * t108d) * (1.0 / t108);
-        t108b = -(tb187 * ca);
-        t108bd = -(tb187d * ca + tb187 * cad);
+        tb184 = cab / t108;
+        tb184d = (cabd - tb184 * t108d) * (1.0 / t108);
+        t108b = -(tb184 * ca);
+        t108bd = -(tb184d * ca + tb184 * cad);
         t107b = t108b * (1.0 / (2.0 * t108));
         t107bd = t108bd * (1.0 / (2.0 * t108)) - t108b * (1.0 / (2.0 * t108) * (2.0 * t108d) / (2.0
             * t108));
@@ -1933,20 +1930,20 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
         a5bd = t107bd * a5 + t107b * a5d;
         a5b += t107b * a5;
         a5bd += t107bd * a5 + t107b * a5d;
-        tb182 = drb * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUY];
-        tb182d = drbd * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUY] + drb *
+        tb179 = drb * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUY];
+        tb179d = drbd * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUY] + drb *
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUY];
-        tb183 = tb182 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_UNLOADED_RADIUS];
-        tb183d = tb182d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_UNLOADED_RADIUS] + tb182 *
+        tb180 = tb179 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_UNLOADED_RADIUS];
+        tb180d = tb179d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_UNLOADED_RADIUS] + tb179 *
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_UNLOADED_RADIUS];
-        fz2b += tb183 * ((p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ6] +
+        fz2b += tb180 * ((p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ6] +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ7] * dfz) * p[t->tyreadr[t->wheeltyre[i]]
             + MAGGI_TYRE_LRES] + (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ8] +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ9] * dfz) * gz);
-        fz2bd += tb183d * ((p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ6] +
+        fz2bd += tb180d * ((p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ6] +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ7] * dfz) * p[t->tyreadr[t->wheeltyre[i]]
             + MAGGI_TYRE_LRES] + (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ8] +
-            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ9] * dfz) * gz) + tb183 *
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ9] * dfz) * gz) + tb180 *
             ((pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ6] + (pd[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_QDZ7] * dfz + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ7] * dfzd)) *
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LRES] + (p[t->tyreadr[t->wheeltyre[i]] +
@@ -1956,50 +1953,50 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ9] * dfzd)) * gz +
             (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ8] + p[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_QDZ9] * dfz) * gzd));
-        tb184 = tb183 * fz2;
-        tb184d = tb183d * fz2 + tb183 * fz2d;
-        tb185 = tb184 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LRES];
-        tb185d = tb184d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LRES] + tb184 *
+        tb181 = tb180 * fz2;
+        tb181d = tb180d * fz2 + tb180 * fz2d;
+        tb182 = tb181 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LRES];
+        tb182d = tb181d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LRES] + tb181 *
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LRES];
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ6] += tb185;
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ6] += tb185d;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ7] += tb185 * dfz;
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ7] += tb185d * dfz + tb185 * dfzd;
-        dfzb += tb185 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ7];
-        dfzbd += tb185d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ7] + tb185 *
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ6] += tb182;
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ6] += tb182d;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ7] += tb182 * dfz;
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ7] += tb182d * dfz + tb182 * dfzd;
+        dfzb += tb182 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ7];
+        dfzbd += tb182d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ7] + tb182 *
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ7];
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LRES] += tb184 * (p[t->tyreadr[t->wheeltyre[i]]
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LRES] += tb181 * (p[t->tyreadr[t->wheeltyre[i]]
             + MAGGI_TYRE_QDZ6] + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ7] * dfz);
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LRES] += tb184d *
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LRES] += tb181d *
             (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ6] + p[t->tyreadr[t->wheeltyre[i]] +
-            MAGGI_TYRE_QDZ7] * dfz) + tb184 * (pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ6] +
+            MAGGI_TYRE_QDZ7] * dfz) + tb181 * (pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ6] +
             (pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ7] * dfz + p[t->tyreadr[t->wheeltyre[i]]
             + MAGGI_TYRE_QDZ7] * dfzd));
-        tb186 = tb184 * gz;
-        tb186d = tb184d * gz + tb184 * gzd;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ8] += tb186;
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ8] += tb186d;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ9] += tb186 * dfz;
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ9] += tb186d * dfz + tb186 * dfzd;
-        dfzb += tb186 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ9];
-        dfzbd += tb186d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ9] + tb186 *
+        tb183 = tb181 * gz;
+        tb183d = tb181d * gz + tb181 * gzd;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ8] += tb183;
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ8] += tb183d;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ9] += tb183 * dfz;
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ9] += tb183d * dfz + tb183 * dfzd;
+        dfzb += tb183 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ9];
+        dfzbd += tb183d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ9] + tb183 *
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ9];
-        gzb = tb184 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ8] +
+        gzb = tb181 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ8] +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ9] * dfz);
-        gzbd = tb184d * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ8] +
-            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ9] * dfz) + tb184 *
+        gzbd = tb181d * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ8] +
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ9] * dfz) + tb181 *
             (pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ8] + (pd[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_QDZ9] * dfz + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ9] * dfzd));
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_UNLOADED_RADIUS] += tb182 * (fz2 *
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_UNLOADED_RADIUS] += tb179 * (fz2 *
             ((p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ6] + p[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_QDZ7] * dfz) * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LRES] +
             (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ8] + p[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_QDZ9] * dfz) * gz));
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_UNLOADED_RADIUS] += tb182d * (fz2 *
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_UNLOADED_RADIUS] += tb179d * (fz2 *
             ((p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ6] + p[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_QDZ7] * dfz) * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LRES] +
             (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ8] + p[t->tyreadr[t->wheeltyre[i]] +
-            MAGGI_TYRE_QDZ9] * dfz) * gz)) + tb182 * (fz2d * ((p[t->tyreadr[t->wheeltyre[i]] +
+            MAGGI_TYRE_QDZ9] * dfz) * gz)) + tb179 * (fz2d * ((p[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_QDZ6] + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ7] * dfz) *
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LRES] + (p[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_QDZ8] + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ9] * dfz) * gz) + fz2 *
@@ -2048,15 +2045,15 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ9];
         t106b = brb;
         t106bd = brbd;
-        tb181 = t106b / y40;
-        tb181d = (t106bd - tb181 * y40d) * (1.0 / y40);
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ10] += tb181 * y43;
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ10] += tb181d * y43 + tb181 * y43d;
-        y43b = tb181 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ10];
-        y43bd = tb181d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ10] + tb181 *
+        tb178 = t106b / y40;
+        tb178d = (t106bd - tb178 * y40d) * (1.0 / y40);
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ10] += tb178 * y43;
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ10] += tb178d * y43 + tb178 * y43d;
+        y43b = tb178 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ10];
+        y43bd = tb178d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ10] + tb178 *
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ10];
-        y40b = -(tb181 * t106);
-        y40bd = -(tb181d * t106 + tb181 * t106d);
+        y40b = -(tb178 * t106);
+        y40bd = -(tb178d * t106 + tb178 * t106d);
         y19b = etb;
         y19bd = etbd;
         e11b = 0.0;
@@ -2071,133 +2068,133 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
           y19b = 0.0;
           y19bd = 0.0;
         }
-        tb176 = e11b * (1.0 + (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ4] +
+        tb173 = e11b * (1.0 + (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ4] +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ5] * gz) * 0.63661977236758134308 * t105);
-        tb176d = e11bd * (1.0 + (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ4] +
+        tb173d = e11bd * (1.0 + (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ4] +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ5] * gz) * 0.63661977236758134308 * t105)
             + e11b * ((pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ4] +
             (pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ5] * gz + p[t->tyreadr[t->wheeltyre[i]]
             + MAGGI_TYRE_QEZ5] * gzd)) * 0.63661977236758134308 * t105 +
             (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ4] + p[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_QEZ5] * gz) * 0.63661977236758134308 * t105d);
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ1] += tb176;
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ1] += tb176d;
-        tb177 = tb176 * dfz;
-        tb177d = tb176d * dfz + tb176 * dfzd;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ2] += tb177;
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ2] += tb177d;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ3] += tb177 * dfz;
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ3] += tb177d * dfz + tb177 * dfzd;
-        dfzb += tb177 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ3];
-        dfzbd += tb177d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ3] + tb177 *
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ1] += tb173;
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ1] += tb173d;
+        tb174 = tb173 * dfz;
+        tb174d = tb173d * dfz + tb173 * dfzd;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ2] += tb174;
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ2] += tb174d;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ3] += tb174 * dfz;
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ3] += tb174d * dfz + tb174 * dfzd;
+        dfzb += tb174 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ3];
+        dfzbd += tb174d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ3] + tb174 *
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ3];
-        dfzb += tb176 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ2] +
+        dfzb += tb173 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ2] +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ3] * dfz);
-        dfzbd += tb176d * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ2] +
-            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ3] * dfz) + tb176 *
+        dfzbd += tb173d * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ2] +
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ3] * dfz) + tb173 *
             (pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ2] + (pd[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_QEZ3] * dfz + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ3] * dfzd));
-        tb178 = e11b * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ1] +
+        tb175 = e11b * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ1] +
             (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ2] + p[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_QEZ3] * dfz) * dfz);
-        tb178d = e11bd * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ1] +
+        tb175d = e11bd * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ1] +
             (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ2] + p[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_QEZ3] * dfz) * dfz) + e11b * (pd[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_QEZ1] + ((pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ2] +
             (pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ3] * dfz + p[t->tyreadr[t->wheeltyre[i]]
             + MAGGI_TYRE_QEZ3] * dfzd)) * dfz + (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ2] +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ3] * dfz) * dfzd));
-        tb179 = tb178 * t105;
-        tb179d = tb178d * t105 + tb178 * t105d;
-        tb180 = tb179 * 0.63661977236758134308;
-        tb180d = tb179d * 0.63661977236758134308;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ4] += tb180;
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ4] += tb180d;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ5] += tb180 * gz;
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ5] += tb180d * gz + tb180 * gzd;
-        gzb += tb180 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ5];
-        gzbd += tb180d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ5] + tb180 *
+        tb176 = tb175 * t105;
+        tb176d = tb175d * t105 + tb175 * t105d;
+        tb177 = tb176 * 0.63661977236758134308;
+        tb177d = tb176d * 0.63661977236758134308;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ4] += tb177;
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ4] += tb177d;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ5] += tb177 * gz;
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ5] += tb177d * gz + tb177 * gzd;
+        gzb += tb177 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ5];
+        gzbd += tb177d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ5] + tb177 *
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ5];
-        t105b = tb178 * ((p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ4] +
+        t105b = tb175 * ((p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ4] +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ5] * gz) * 0.63661977236758134308);
-        t105bd = tb178d * ((p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ4] +
-            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ5] * gz) * 0.63661977236758134308) + tb178
+        t105bd = tb175d * ((p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ4] +
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ5] * gz) * 0.63661977236758134308) + tb175
             * ((pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ4] + (pd[t->tyreadr[t->wheeltyre[i]]
             + MAGGI_TYRE_QEZ5] * gz + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QEZ5] * gzd)) *
             0.63661977236758134308);
         t104b = t105b * (1.0 / (1.0 + t104 * t104));
         t104bd = t105bd * (1.0 / (1.0 + t104 * t104)) - t105b * (1.0 / (1.0 + t104 * t104) * (t104d
             * t104 + t104 * t104d) / (1.0 + t104 * t104));
-        tb175 = t104b * at;
-        tb175d = t104bd * at + t104b * atd;
-        btb += tb175 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QCZ1];
-        btbd += tb175d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QCZ1] + tb175 *
+        tb172 = t104b * at;
+        tb172d = t104bd * at + t104b * atd;
+        btb += tb172 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QCZ1];
+        btbd += tb172d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QCZ1] + tb172 *
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QCZ1];
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QCZ1] += tb175 * bt;
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QCZ1] += tb175d * bt + tb175 * btd;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QCZ1] += tb172 * bt;
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QCZ1] += tb172d * bt + tb172 * btd;
         atb = t104b * (bt * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QCZ1]);
         atbd = t104bd * (bt * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QCZ1]) + t104b * (btd *
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QCZ1] + bt * pd[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_QCZ1]);
-        tb169 = dtb * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LTR];
-        tb169d = dtbd * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LTR] + dtb *
+        tb166 = dtb * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LTR];
+        tb166d = dtbd * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LTR] + dtb *
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LTR];
-        tb170 = tb169 * t103;
-        tb170d = tb169d * t103 + tb169 * t103d;
-        tb171 = tb170 * (1.0 + (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ3] +
+        tb167 = tb166 * t103;
+        tb167d = tb166d * t103 + tb166 * t103d;
+        tb168 = tb167 * (1.0 + (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ3] +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ4] * gz) * gz);
-        tb171d = tb170d * (1.0 + (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ3] +
-            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ4] * gz) * gz) + tb170 *
+        tb168d = tb167d * (1.0 + (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ3] +
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ4] * gz) * gz) + tb167 *
             ((pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ3] + (pd[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_QDZ4] * gz + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ4] * gzd)) * gz +
             (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ3] + p[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_QDZ4] * gz) * gzd);
-        fz2b += tb171 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ1] +
+        fz2b += tb168 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ1] +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ2] * dfz);
-        fz2bd += tb171d * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ1] +
-            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ2] * dfz) + tb171 *
+        fz2bd += tb168d * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ1] +
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ2] * dfz) + tb168 *
             (pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ1] + (pd[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_QDZ2] * dfz + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ2] * dfzd));
-        tb172 = tb171 * fz2;
-        tb172d = tb171d * fz2 + tb171 * fz2d;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ1] += tb172;
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ1] += tb172d;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ2] += tb172 * dfz;
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ2] += tb172d * dfz + tb172 * dfzd;
-        dfzb += tb172 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ2];
-        dfzbd += tb172d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ2] + tb172 *
+        tb169 = tb168 * fz2;
+        tb169d = tb168d * fz2 + tb168 * fz2d;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ1] += tb169;
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ1] += tb169d;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ2] += tb169 * dfz;
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ2] += tb169d * dfz + tb169 * dfzd;
+        dfzb += tb169 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ2];
+        dfzbd += tb169d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ2] + tb169 *
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ2];
-        tb173 = tb170 * (fz2 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ1] +
+        tb170 = tb167 * (fz2 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ1] +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ2] * dfz));
-        tb173d = tb170d * (fz2 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ1] +
-            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ2] * dfz)) + tb170 * (fz2d *
+        tb170d = tb167d * (fz2 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ1] +
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ2] * dfz)) + tb167 * (fz2d *
             (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ1] + p[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_QDZ2] * dfz) + fz2 * (pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ1] +
             (pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ2] * dfz + p[t->tyreadr[t->wheeltyre[i]]
             + MAGGI_TYRE_QDZ2] * dfzd)));
-        tb174 = tb173 * gz;
-        tb174d = tb173d * gz + tb173 * gzd;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ3] += tb174;
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ3] += tb174d;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ4] += tb174 * gz;
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ4] += tb174d * gz + tb174 * gzd;
-        gzb += tb174 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ4];
-        gzbd += tb174d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ4] + tb174 *
+        tb171 = tb170 * gz;
+        tb171d = tb170d * gz + tb170 * gzd;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ3] += tb171;
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ3] += tb171d;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ4] += tb171 * gz;
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ4] += tb171d * gz + tb171 * gzd;
+        gzb += tb171 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ4];
+        gzbd += tb171d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ4] + tb171 *
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ4];
-        gzb += tb173 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ3] +
+        gzb += tb170 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ3] +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ4] * gz);
-        gzbd += tb173d * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ3] +
-            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ4] * gz) + tb173 *
+        gzbd += tb170d * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ3] +
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ4] * gz) + tb170 *
             (pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ3] + (pd[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_QDZ4] * gz + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ4] * gzd));
-        t103b = tb169 * (fz2 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ1] +
+        t103b = tb166 * (fz2 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ1] +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ2] * dfz) * (1.0 +
             (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ3] + p[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_QDZ4] * gz) * gz));
-        t103bd = tb169d * (fz2 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ1] +
+        t103bd = tb166d * (fz2 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ1] +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ2] * dfz) * (1.0 +
             (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ3] + p[t->tyreadr[t->wheeltyre[i]] +
-            MAGGI_TYRE_QDZ4] * gz) * gz)) + tb169 * ((fz2d * (p[t->tyreadr[t->wheeltyre[i]] +
+            MAGGI_TYRE_QDZ4] * gz) * gz)) + tb166 * ((fz2d * (p[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_QDZ1] + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ2] * dfz) + fz2 *
             (pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ1] + (pd[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_QDZ2] * dfz + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ2] * dfzd))) *
@@ -2229,57 +2226,57 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
             (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ1] + p[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_QDZ2] * dfz) * (1.0 + (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ3] +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QDZ4] * gz) * gz) * t103d);
-        tb168 = t103b / fz0_4;
-        tb168d = (t103bd - tb168 * fz0_4d) * (1.0 / fz0_4);
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_UNLOADED_RADIUS] += tb168;
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_UNLOADED_RADIUS] += tb168d;
-        fz0_4b = -(tb168 * t103);
-        fz0_4bd = -(tb168d * t103 + tb168 * t103d);
-        tb164 = btb * scale;
-        tb164d = btbd * scale + btb * scaled;
-        tb165 = tb164 * (1.0 + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ4] * gz +
+        tb165 = t103b / fz0_4;
+        tb165d = (t103bd - tb165 * fz0_4d) * (1.0 / fz0_4);
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_UNLOADED_RADIUS] += tb165;
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_UNLOADED_RADIUS] += tb165d;
+        fz0_4b = -(tb165 * t103);
+        fz0_4bd = -(tb165d * t103 + tb165 * t103d);
+        tb161 = btb * scale;
+        tb161d = btbd * scale + btb * scaled;
+        tb162 = tb161 * (1.0 + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ4] * gz +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ5] * y18);
-        tb165d = tb164d * (1.0 + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ4] * gz +
-            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ5] * y18) + tb164 *
+        tb162d = tb161d * (1.0 + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ4] * gz +
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ5] * y18) + tb161 *
             (pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ4] * gz + p[t->tyreadr[t->wheeltyre[i]]
             + MAGGI_TYRE_QBZ4] * gzd + (pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ5] * y18 +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ5] * y18d));
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ1] += tb165;
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ1] += tb165d;
-        tb166 = tb165 * dfz;
-        tb166d = tb165d * dfz + tb165 * dfzd;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ2] += tb166;
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ2] += tb166d;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ3] += tb166 * dfz;
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ3] += tb166d * dfz + tb166 * dfzd;
-        dfzb += tb166 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ3];
-        dfzbd += tb166d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ3] + tb166 *
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ1] += tb162;
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ1] += tb162d;
+        tb163 = tb162 * dfz;
+        tb163d = tb162d * dfz + tb162 * dfzd;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ2] += tb163;
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ2] += tb163d;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ3] += tb163 * dfz;
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ3] += tb163d * dfz + tb163 * dfzd;
+        dfzb += tb163 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ3];
+        dfzbd += tb163d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ3] + tb163 *
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ3];
-        dfzb += tb165 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ2] +
+        dfzb += tb162 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ2] +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ3] * dfz);
-        dfzbd += tb165d * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ2] +
-            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ3] * dfz) + tb165 *
+        dfzbd += tb162d * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ2] +
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ3] * dfz) + tb162 *
             (pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ2] + (pd[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_QBZ3] * dfz + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ3] * dfzd));
-        tb167 = tb164 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ1] +
+        tb164 = tb161 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ1] +
             (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ2] + p[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_QBZ3] * dfz) * dfz);
-        tb167d = tb164d * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ1] +
+        tb164d = tb161d * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ1] +
             (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ2] + p[t->tyreadr[t->wheeltyre[i]] +
-            MAGGI_TYRE_QBZ3] * dfz) * dfz) + tb164 * (pd[t->tyreadr[t->wheeltyre[i]] +
+            MAGGI_TYRE_QBZ3] * dfz) * dfz) + tb161 * (pd[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_QBZ1] + ((pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ2] +
             (pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ3] * dfz + p[t->tyreadr[t->wheeltyre[i]]
             + MAGGI_TYRE_QBZ3] * dfzd)) * dfz + (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ2] +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ3] * dfz) * dfzd));
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ4] += tb167 * gz;
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ4] += tb167d * gz + tb167 * gzd;
-        gzb += tb167 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ4];
-        gzbd += tb167d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ4] + tb167 *
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ4] += tb164 * gz;
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ4] += tb164d * gz + tb164 * gzd;
+        gzb += tb164 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ4];
+        gzbd += tb164d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ4] + tb164 *
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ4];
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ5] += tb167 * y18;
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ5] += tb167d * y18 + tb167 * y18d;
-        y18b = tb167 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ5];
-        y18bd = tb167d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ5] + tb167 *
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ5] += tb164 * y18;
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ5] += tb164d * y18 + tb164 * y18d;
+        y18b = tb164 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ5];
+        y18bd = tb164d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ5] + tb164 *
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ5];
         scaleb += btb * ((p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ1] +
             (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QBZ2] + p[t->tyreadr[t->wheeltyre[i]] +
@@ -2320,29 +2317,29 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
           t102d = p10d * p10 + p10 * p10d;
           z7 = gz * gz / t102;
           z7d = (gzd * gz + gz * gzd - z7 * t102d) * (1.0 / t102);
-          tb162 = y18b * (15.0 + z7 * (-10.0 + 3.0 * z7));
-          tb162d = y18bd * (15.0 + z7 * (-10.0 + 3.0 * z7)) + y18b * (z7d * (-10.0 + 3.0 * z7) + z7
+          tb159 = y18b * (15.0 + z7 * (-10.0 + 3.0 * z7));
+          tb159d = y18bd * (15.0 + z7 * (-10.0 + 3.0 * z7)) + y18b * (z7d * (-10.0 + 3.0 * z7) + z7
               * (3.0 * z7d));
-          p10b = tb162 * z7 * 0.125;
-          p10bd = (tb162d * z7 + tb162 * z7d) * 0.125;
-          z7b = tb162 * (0.125 * p10);
-          z7bd = tb162d * (0.125 * p10) + tb162 * (0.125 * p10d);
-          tb163 = y18b * (0.125 * p10 * z7);
-          tb163d = y18bd * (0.125 * p10 * z7) + y18b * (0.125 * p10d * z7 + 0.125 * p10 * z7d);
-          z7b += tb163 * (-10.0 + 3.0 * z7);
-          z7bd += tb163d * (-10.0 + 3.0 * z7) + tb163 * (3.0 * z7d);
-          z7b += tb163 * z7 * 3.0;
-          z7bd += (tb163d * z7 + tb163 * z7d) * 3.0;
+          p10b = tb159 * z7 * 0.125;
+          p10bd = (tb159d * z7 + tb159 * z7d) * 0.125;
+          z7b = tb159 * (0.125 * p10);
+          z7bd = tb159d * (0.125 * p10) + tb159 * (0.125 * p10d);
+          tb160 = y18b * (0.125 * p10 * z7);
+          tb160d = y18bd * (0.125 * p10 * z7) + y18b * (0.125 * p10d * z7 + 0.125 * p10 * z7d);
+          z7b += tb160 * (-10.0 + 3.0 * z7);
+          z7bd += tb160d * (-10.0 + 3.0 * z7) + tb160 * (3.0 * z7d);
+          z7b += tb160 * z7 * 3.0;
+          z7bd += (tb160d * z7 + tb160 * z7d) * 3.0;
           y18b = 0.0;
           y18bd = 0.0;
-          tb161 = z7b / t102;
-          tb161d = (z7bd - tb161 * t102d) * (1.0 / t102);
-          gzb += tb161 * gz;
-          gzbd += tb161d * gz + tb161 * gzd;
-          gzb += tb161 * gz;
-          gzbd += tb161d * gz + tb161 * gzd;
-          t102b = -(tb161 * z7);
-          t102bd = -(tb161d * z7 + tb161 * z7d);
+          tb158 = z7b / t102;
+          tb158d = (z7bd - tb158 * t102d) * (1.0 / t102);
+          gzb += tb158 * gz;
+          gzbd += tb158d * gz + tb158 * gzd;
+          gzb += tb158 * gz;
+          gzbd += tb158d * gz + tb158 * gzd;
+          t102b = -(tb158 * z7);
+          t102bd = -(tb158d * z7 + tb158 * z7d);
           p10b += t102b * p10;
           p10bd += t102bd * p10 + t102b * p10d;
           p10b += t102b * p10;
@@ -2350,13 +2347,13 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
           pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LOW_CAMBER] += p10b;
           pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LOW_CAMBER] += p10bd;
         }
-        tb160 = scaleb / p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUY];
-        tb160d = (scalebd - tb160 * pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUY]) * (1.0 /
+        tb157 = scaleb / p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUY];
+        tb157d = (scalebd - tb157 * pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUY]) * (1.0 /
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUY]);
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LKY] += tb160;
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LKY] += tb160d;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUY] -= tb160 * scale;
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUY] -= tb160d * scale + tb160 * scaled;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LKY] += tb157;
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LKY] += tb157d;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUY] -= tb157 * scale;
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUY] -= tb157d * scale + tb157 * scaled;
         t101b = areqb * (1.0 / (2.0 * areq));
         t101bd = areqbd * (1.0 / (2.0 * areq)) - areqb * (1.0 / (2.0 * areq) * (2.0 * areqd) / (2.0
             * areq));
@@ -2383,12 +2380,12 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
         y44bd = arbd;
         t99b = arb;
         t99bd = arbd;
-        tb159 = t99b / y43;
-        tb159d = (t99bd - tb159 * y43d) * (1.0 / y43);
-        y45b = tb159;
-        y45bd = tb159d;
-        y43b -= tb159 * t99;
-        y43bd -= tb159d * t99 + tb159 * t99d;
+        tb156 = t99b / y43;
+        tb156d = (t99bd - tb156 * y43d) * (1.0 / y43);
+        y45b = tb156;
+        y45bd = tb156d;
+        y43b -= tb156 * t99;
+        y43bd -= tb156d * t99 + tb156 * t99d;
         a5b += atb;
         a5bd += atbd;
         pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QHZ1] += atb;
@@ -2398,14 +2395,14 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
         dfzb += atb * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QHZ2];
         dfzbd += atbd * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QHZ2] + atb *
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QHZ2];
-        tb158 = atb * gz;
-        tb158d = atbd * gz + atb * gzd;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QHZ3] += tb158;
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QHZ3] += tb158d;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QHZ4] += tb158 * dfz;
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QHZ4] += tb158d * dfz + tb158 * dfzd;
-        dfzb += tb158 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QHZ4];
-        dfzbd += tb158d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QHZ4] + tb158 *
+        tb155 = atb * gz;
+        tb155d = atbd * gz + atb * gzd;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QHZ3] += tb155;
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QHZ3] += tb155d;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QHZ4] += tb155 * dfz;
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QHZ4] += tb155d * dfz + tb155 * dfzd;
+        dfzb += tb155 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QHZ4];
+        dfzbd += tb155d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QHZ4] + tb155 *
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QHZ4];
         gzb += atb * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QHZ3] +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_QHZ4] * dfz);
@@ -2428,30 +2425,30 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
             MAGGI_TYRE_LFZO];
         pbd[t->tyreadr[t->wheeltyre[i]]] += fz0_4bd * p[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_LFZO] + fz0_4b * pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LFZO];
-        tb157 = ratio2b / y43;
-        tb157d = (ratio2bd - tb157 * y43d) * (1.0 / y43);
-        x53b = tb157 * kappa;
-        x53bd = tb157d * kappa + tb157 * kappad;
-        kappab = tb157 * x53;
-        kappabd = tb157d * x53 + tb157 * x53d;
-        y43b -= tb157 * ratio2;
-        y43bd -= tb157d * ratio2 + tb157 * ratio2d;
-        tb156 = fyb * t98;
-        tb156d = fybd * t98 + fyb * t98d;
-        y40b += tb156 * t87;
-        y40bd += tb156d * t87 + tb156 * t87d;
-        t87b = tb156 * y40;
-        t87bd = tb156d * y40 + tb156 * y40d;
-        y45b += tb156;
-        y45bd += tb156d;
+        tb154 = ratio2b / y43;
+        tb154d = (ratio2bd - tb154 * y43d) * (1.0 / y43);
+        x53b = tb154 * kappa;
+        x53bd = tb154d * kappa + tb154 * kappad;
+        kappab = tb154 * x53;
+        kappabd = tb154d * x53 + tb154 * x53d;
+        y43b -= tb154 * ratio2;
+        y43bd -= tb154d * ratio2 + tb154 * ratio2d;
+        tb153 = fyb * t98;
+        tb153d = fybd * t98 + fyb * t98d;
+        y40b += tb153 * t87;
+        y40bd += tb153d * t87 + tb153 * t87d;
+        t87b = tb153 * y40;
+        t87bd = tb153d * y40 + tb153 * y40d;
+        y45b += tb153;
+        y45bd += tb153d;
         t98b = fyb * (y40 * t87 + y45);
         t98bd = fybd * (y40 * t87 + y45) + fyb * (y40d * t87 + y40 * t87d + y45d);
-        tb155 = t98b / t97;
-        tb155d = (t98bd - tb155 * t97d) * (1.0 / t97);
-        t92b = tb155;
-        t92bd = tb155d;
-        t97b = -(tb155 * t98);
-        t97bd = -(tb155d * t98 + tb155 * t98d);
+        tb152 = t98b / t97;
+        tb152d = (t98bd - tb152 * t97d) * (1.0 / t97);
+        t92b = tb152;
+        t92bd = tb152d;
+        t97b = -(tb152 * t98);
+        t97bd = -(tb152d * t98 + tb152 * t98d);
         t96b = -(t97b * sin(t96));
         t96bd = -(t97bd * sin(t96) + t97b * (cos(t96) * t96d));
         g25b = t96b * t95;
@@ -2518,42 +2515,42 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
         g27bd = y17bd * g24 + y17b * g24d;
         g24b += y16b * (kappa + g27);
         g24bd += y16bd * (kappa + g27) + y16b * (kappad + g27d);
-        tb154 = y16b * g24;
-        tb154d = y16bd * g24 + y16b * g24d;
-        kappab += tb154;
-        kappabd += tb154d;
-        g27b += tb154;
-        g27bd += tb154d;
+        tb151 = y16b * g24;
+        tb151d = y16bd * g24 + y16b * g24d;
+        kappab += tb151;
+        kappabd += tb151d;
+        g27b += tb151;
+        g27bd += tb151d;
         t82b = y15b * y44;
         t82bd = y15bd * y44 + y15b * y44d;
         y44b += y15b * t82;
         y44bd += y15bd * t82 + y15b * t82d;
-        tb153 = t82b / t81;
-        tb153d = (t82bd - tb153 * t81d) * (1.0 / t81);
-        y43b += tb153;
-        y43bd += tb153d;
-        t81b = -(tb153 * t82);
-        t81bd = -(tb153d * t82 + tb153 * t82d);
+        tb150 = t82b / t81;
+        tb150d = (t82bd - tb150 * t81d) * (1.0 / t81);
+        y43b += tb150;
+        y43bd += tb150d;
+        t81b = -(tb150 * t82);
+        t81bd = -(tb150d * t82 + tb150 * t82d);
         y41b += t81b * y40;
         y41bd += t81bd * y40 + t81b * y40d;
         y40b += t81b * y41;
         y40bd += t81bd * y41 + t81b * y41d;
-        tb152 = fxb * t80;
-        tb152d = fxbd * t80 + fxb * t80d;
-        x50b = tb152 * t69;
-        x50bd = tb152d * t69 + tb152 * t69d;
-        t69b = tb152 * x50;
-        t69bd = tb152d * x50 + tb152 * x50d;
-        x55b = tb152;
-        x55bd = tb152d;
+        tb149 = fxb * t80;
+        tb149d = fxbd * t80 + fxb * t80d;
+        x50b = tb149 * t69;
+        x50bd = tb149d * t69 + tb149 * t69d;
+        t69b = tb149 * x50;
+        t69bd = tb149d * x50 + tb149 * x50d;
+        x55b = tb149;
+        x55bd = tb149d;
         t80b = fxb * (x50 * t69 + x55);
         t80bd = fxbd * (x50 * t69 + x55) + fxb * (x50d * t69 + x50 * t69d + x55d);
-        tb151 = t80b / t79;
-        tb151d = (t80bd - tb151 * t79d) * (1.0 / t79);
-        t74b = tb151;
-        t74bd = tb151d;
-        t79b = -(tb151 * t80);
-        t79bd = -(tb151d * t80 + tb151 * t80d);
+        tb148 = t80b / t79;
+        tb148d = (t80bd - tb148 * t79d) * (1.0 / t79);
+        t74b = tb148;
+        t74bd = tb148d;
+        t79b = -(tb148 * t80);
+        t79bd = -(tb148d * t80 + tb148 * t80d);
         t78b = -(t79b * sin(t78));
         t78bd = -(t79bd * sin(t78) + t79b * (cos(t78) * t78d));
         g21b = t78b * t77;
@@ -2620,33 +2617,33 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
         g23bd = y14bd * g20 + y14b * g20d;
         g20b += y13b * (a5 + g23);
         g20bd += y13bd * (a5 + g23) + y13b * (a5d + g23d);
-        tb150 = y13b * g20;
-        tb150d = y13bd * g20 + y13b * g20d;
-        a5b += tb150;
-        a5bd += tb150d;
-        g23b += tb150;
-        g23bd += tb150d;
+        tb147 = y13b * g20;
+        tb147d = y13bd * g20 + y13b * g20d;
+        a5b += tb147;
+        a5bd += tb147d;
+        g23b += tb147;
+        g23bd += tb147d;
         t64b = y12b * x54;
         t64bd = y12bd * x54 + y12b * x54d;
         x54b = y12b * t64;
         x54bd = y12bd * t64 + y12b * t64d;
-        tb149 = t64b / t63;
-        tb149d = (t64bd - tb149 * t63d) * (1.0 / t63);
-        x53b += tb149;
-        x53bd += tb149d;
-        t63b = -(tb149 * t64);
-        t63bd = -(tb149d * t64 + tb149 * t64d);
+        tb146 = t64b / t63;
+        tb146d = (t64bd - tb146 * t63d) * (1.0 / t63);
+        x53b += tb146;
+        x53bd += tb146d;
+        t63b = -(tb146 * t64);
+        t63bd = -(tb146d * t64 + tb146 * t64d);
         x51b += t63b * x50;
         x51bd += t63bd * x50 + t63b * x50d;
         x50b += t63b * x51;
         x50bd += t63bd * x51 + t63b * x51d;
-        tb148 = g28b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LVYKA];
-        tb148d = g28bd * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LVYKA] + g28b *
+        tb145 = g28b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LVYKA];
+        tb145d = g28bd * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LVYKA] + g28b *
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LVYKA];
-        dvb = tb148 * t62;
-        dvbd = tb148d * t62 + tb148 * t62d;
-        t62b = tb148 * dv;
-        t62bd = tb148d * dv + tb148 * dvd;
+        dvb = tb145 * t62;
+        dvbd = tb145d * t62 + tb145 * t62d;
+        t62b = tb145 * dv;
+        t62bd = tb145d * dv + tb145 * dvd;
         pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LVYKA] += g28b * (dv * t62);
         pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LVYKA] += g28bd * (dv * t62) + g28b * (dvd *
             t62 + dv * t62d);
@@ -2665,30 +2662,30 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
         kappab += t59b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY6];
         kappabd += t59bd * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY6] + t59b *
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY6];
-        tb146 = dvb * t58;
-        tb146d = dvbd * t58 + dvb * t58d;
-        peakb = tb146 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY1] +
+        tb143 = dvb * t58;
+        tb143d = dvbd * t58 + dvb * t58d;
+        peakb = tb143 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY1] +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY2] * dfz + p[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_RVY3] * gamma);
-        peakbd = tb146d * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY1] +
+        peakbd = tb143d * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY1] +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY2] * dfz + p[t->tyreadr[t->wheeltyre[i]] +
-            MAGGI_TYRE_RVY3] * gamma) + tb146 * (pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY1] +
+            MAGGI_TYRE_RVY3] * gamma) + tb143 * (pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY1] +
             (pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY2] * dfz + p[t->tyreadr[t->wheeltyre[i]]
             + MAGGI_TYRE_RVY2] * dfzd) + (pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY3] * gamma
             + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY3] * gammad));
-        tb147 = tb146 * peak;
-        tb147d = tb146d * peak + tb146 * peakd;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY1] += tb147;
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY1] += tb147d;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY2] += tb147 * dfz;
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY2] += tb147d * dfz + tb147 * dfzd;
-        dfzb += tb147 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY2];
-        dfzbd += tb147d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY2] + tb147 *
+        tb144 = tb143 * peak;
+        tb144d = tb143d * peak + tb143 * peakd;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY1] += tb144;
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY1] += tb144d;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY2] += tb144 * dfz;
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY2] += tb144d * dfz + tb144 * dfzd;
+        dfzb += tb144 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY2];
+        dfzbd += tb144d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY2] + tb144 *
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY2];
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY3] += tb147 * gamma;
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY3] += tb147d * gamma + tb147 * gammad;
-        gammab += tb147 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY3];
-        gammabd += tb147d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY3] + tb147 *
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY3] += tb144 * gamma;
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY3] += tb144d * gamma + tb144 * gammad;
+        gammab += tb144 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY3];
+        gammabd += tb144d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY3] + tb144 *
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY3];
         t58b = dvb * (peak * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY1] +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY2] * dfz + p[t->tyreadr[t->wheeltyre[i]] +
@@ -2702,10 +2699,10 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
             MAGGI_TYRE_RVY2] * dfz + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY2] * dfzd) +
             (pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY3] * gamma +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RVY3] * gammad)));
-        tb145 = t58b / t57;
-        tb145d = (t58bd - tb145 * t57d) * (1.0 / t57);
-        t57b = -(tb145 * t58);
-        t57bd = -(tb145d * t58 + tb145 * t58d);
+        tb142 = t58b / t57;
+        tb142d = (t58bd - tb142 * t57d) * (1.0 / t57);
+        t57b = -(tb142 * t58);
+        t57bd = -(tb142d * t58 + tb142 * t58d);
         t56b = t57b * (1.0 / (2.0 * t57));
         t56bd = t57bd * (1.0 / (2.0 * t57)) - t57b * (1.0 / (2.0 * t57) * (2.0 * t57d) / (2.0 *
             t57));
@@ -2748,23 +2745,23 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_REY2];
         pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RCY1] += g25b;
         pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RCY1] += g25bd;
-        tb144 = g24b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LYKA];
-        tb144d = g24bd * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LYKA] + g24b *
+        tb141 = g24b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LYKA];
+        tb141d = g24bd * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LYKA] + g24b *
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LYKA];
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY1] += tb144 * t55;
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY1] += tb144d * t55 + tb144 * t55d;
-        t55b = tb144 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY1];
-        t55bd = tb144d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY1] + tb144 *
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY1] += tb141 * t55;
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY1] += tb141d * t55 + tb141 * t55d;
+        t55b = tb141 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY1];
+        t55bd = tb141d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY1] + tb141 *
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY1];
         pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LYKA] += g24b * (p[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_RBY1] * t55);
         pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LYKA] += g24bd * (p[t->tyreadr[t->wheeltyre[i]]
             + MAGGI_TYRE_RBY1] * t55) + g24b * (pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY1] *
             t55 + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY1] * t55d);
-        tb143 = t55b / t54;
-        tb143d = (t55bd - tb143 * t54d) * (1.0 / t54);
-        t54b = -(tb143 * t55);
-        t54bd = -(tb143d * t55 + tb143 * t55d);
+        tb140 = t55b / t54;
+        tb140d = (t55bd - tb140 * t54d) * (1.0 / t54);
+        t54b = -(tb140 * t55);
+        t54bd = -(tb140d * t55 + tb140 * t55d);
         t53b = t54b * (1.0 / (2.0 * t54));
         t53bd = t54bd * (1.0 / (2.0 * t54)) - t54b * (1.0 / (2.0 * t54) * (2.0 * t54d) / (2.0 *
             t54));
@@ -2777,13 +2774,13 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
         pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY2] += x7bd * (a5 -
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY3]) + x7b * (a5d -
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY3]);
-        tb142 = x7b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY2];
-        tb142d = x7bd * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY2] + x7b *
+        tb139 = x7b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY2];
+        tb139d = x7bd * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY2] + x7b *
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY2];
-        a5b += tb142;
-        a5bd += tb142d;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY3] -= tb142;
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY3] -= tb142d;
+        a5b += tb139;
+        a5bd += tb139d;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY3] -= tb139;
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBY3] -= tb139d;
         pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RHX1] += g23b;
         pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RHX1] += g23bd;
         y10b = g22b;
@@ -2809,23 +2806,23 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_REX2];
         pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RCX1] += g21b;
         pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RCX1] += g21bd;
-        tb141 = g20b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LXAL];
-        tb141d = g20bd * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LXAL] + g20b *
+        tb138 = g20b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LXAL];
+        tb138d = g20bd * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LXAL] + g20b *
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LXAL];
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBX1] += tb141 * t52;
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBX1] += tb141d * t52 + tb141 * t52d;
-        t52b = tb141 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBX1];
-        t52bd = tb141d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBX1] + tb141 *
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBX1] += tb138 * t52;
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBX1] += tb138d * t52 + tb138 * t52d;
+        t52b = tb138 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBX1];
+        t52bd = tb138d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBX1] + tb138 *
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBX1];
         pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LXAL] += g20b * (p[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_RBX1] * t52);
         pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LXAL] += g20bd * (p[t->tyreadr[t->wheeltyre[i]]
             + MAGGI_TYRE_RBX1] * t52) + g20b * (pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBX1] *
             t52 + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBX1] * t52d);
-        tb140 = t52b / t51;
-        tb140d = (t52bd - tb140 * t51d) * (1.0 / t51);
-        t51b = -(tb140 * t52);
-        t51bd = -(tb140d * t52 + tb140 * t52d);
+        tb137 = t52b / t51;
+        tb137d = (t52bd - tb137 * t51d) * (1.0 / t51);
+        t51b = -(tb137 * t52);
+        t51bd = -(tb137d * t52 + tb137 * t52d);
         t50b = t51b * (1.0 / (2.0 * t51));
         t50bd = t51bd * (1.0 / (2.0 * t51)) - t51b * (1.0 / (2.0 * t51) * (2.0 * t51d) / (2.0 *
             t51));
@@ -2842,17 +2839,17 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_RBX2];
         y40b += peakb;
         y40bd += peakbd;
-        tb136 = y45b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUY];
-        tb136d = y45bd * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUY] + y45b *
+        tb133 = y45b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUY];
+        tb133d = y45bd * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUY] + y45b *
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUY];
-        fz2b += tb136 * ((p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY1] +
+        fz2b += tb133 * ((p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY1] +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY2] * dfz) * p[t->tyreadr[t->wheeltyre[i]]
             + MAGGI_TYRE_LVY] + (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY3] +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY4] * dfz) * gy);
-        fz2bd += tb136d * ((p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY1] +
+        fz2bd += tb133d * ((p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY1] +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY2] * dfz) * p[t->tyreadr[t->wheeltyre[i]]
             + MAGGI_TYRE_LVY] + (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY3] +
-            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY4] * dfz) * gy) + tb136 *
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY4] * dfz) * gy) + tb133 *
             ((pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY1] + (pd[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_PVY2] * dfz + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY2] * dfzd)) *
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LVY] + (p[t->tyreadr[t->wheeltyre[i]] +
@@ -2862,37 +2859,37 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY4] * dfzd)) * gy +
             (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY3] + p[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_PVY4] * dfz) * gyd));
-        tb137 = tb136 * fz2;
-        tb137d = tb136d * fz2 + tb136 * fz2d;
-        tb138 = tb137 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LVY];
-        tb138d = tb137d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LVY] + tb137 *
+        tb134 = tb133 * fz2;
+        tb134d = tb133d * fz2 + tb133 * fz2d;
+        tb135 = tb134 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LVY];
+        tb135d = tb134d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LVY] + tb134 *
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LVY];
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY1] += tb138;
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY1] += tb138d;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY2] += tb138 * dfz;
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY2] += tb138d * dfz + tb138 * dfzd;
-        dfzb += tb138 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY2];
-        dfzbd += tb138d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY2] + tb138 *
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY1] += tb135;
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY1] += tb135d;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY2] += tb135 * dfz;
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY2] += tb135d * dfz + tb135 * dfzd;
+        dfzb += tb135 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY2];
+        dfzbd += tb135d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY2] + tb135 *
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY2];
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LVY] += tb137 * (p[t->tyreadr[t->wheeltyre[i]] +
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LVY] += tb134 * (p[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_PVY1] + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY2] * dfz);
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LVY] += tb137d * (p[t->tyreadr[t->wheeltyre[i]]
-            + MAGGI_TYRE_PVY1] + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY2] * dfz) + tb137 *
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LVY] += tb134d * (p[t->tyreadr[t->wheeltyre[i]]
+            + MAGGI_TYRE_PVY1] + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY2] * dfz) + tb134 *
             (pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY1] + (pd[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_PVY2] * dfz + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY2] * dfzd));
-        tb139 = tb137 * gy;
-        tb139d = tb137d * gy + tb137 * gyd;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY3] += tb139;
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY3] += tb139d;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY4] += tb139 * dfz;
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY4] += tb139d * dfz + tb139 * dfzd;
-        dfzb += tb139 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY4];
-        dfzbd += tb139d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY4] + tb139 *
+        tb136 = tb134 * gy;
+        tb136d = tb134d * gy + tb134 * gyd;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY3] += tb136;
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY3] += tb136d;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY4] += tb136 * dfz;
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY4] += tb136d * dfz + tb136 * dfzd;
+        dfzb += tb136 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY4];
+        dfzbd += tb136d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY4] + tb136 *
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY4];
-        gyb = tb137 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY3] +
+        gyb = tb134 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY3] +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY4] * dfz);
-        gybd = tb137d * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY3] +
-            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY4] * dfz) + tb137 *
+        gybd = tb134d * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY3] +
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY4] * dfz) + tb134 *
             (pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY3] + (pd[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_PVY4] * dfz + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVY4] * dfzd));
         pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUY] += y45b * (fz2 *
@@ -2919,33 +2916,33 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
             MAGGI_TYRE_PVY4] * dfz) * gyd)));
         ayb = y44b;
         aybd = y44bd;
-        tb132 = y43b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LKY];
-        tb132d = y43bd * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LKY] + y43b *
+        tb129 = y43b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LKY];
+        tb129d = y43bd * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LKY] + y43b *
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LKY];
-        tb133 = tb132 * (1.0 - p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY3] * y9);
-        tb133d = tb132d * (1.0 - p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY3] * y9) - tb132 *
+        tb130 = tb129 * (1.0 - p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY3] * y9);
+        tb130d = tb129d * (1.0 - p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY3] * y9) - tb129 *
             (pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY3] * y9 + p[t->tyreadr[t->wheeltyre[i]]
             + MAGGI_TYRE_PKY3] * y9d);
-        tb134 = tb133 * t49;
-        tb134d = tb133d * t49 + tb133 * t49d;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY1] += tb134 * fz0_3;
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY1] += tb134d * fz0_3 + tb134 * fz0_3d;
-        fz0_3b = tb134 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY1];
-        fz0_3bd = tb134d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY1] + tb134 *
+        tb131 = tb130 * t49;
+        tb131d = tb130d * t49 + tb130 * t49d;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY1] += tb131 * fz0_3;
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY1] += tb131d * fz0_3 + tb131 * fz0_3d;
+        fz0_3b = tb131 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY1];
+        fz0_3bd = tb131d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY1] + tb131 *
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY1];
-        t49b = tb133 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY1] * fz0_3);
-        t49bd = tb133d * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY1] * fz0_3) + tb133 *
+        t49b = tb130 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY1] * fz0_3);
+        t49bd = tb130d * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY1] * fz0_3) + tb130 *
             (pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY1] * fz0_3 +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY1] * fz0_3d);
-        tb135 = tb132 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY1] * fz0_3 * t49);
-        tb135d = tb132d * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY1] * fz0_3 * t49) + tb132 *
+        tb132 = tb129 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY1] * fz0_3 * t49);
+        tb132d = tb129d * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY1] * fz0_3 * t49) + tb129 *
             ((pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY1] * fz0_3 +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY1] * fz0_3d) * t49 +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY1] * fz0_3 * t49d);
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY3] -= tb135 * y9;
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY3] -= tb135d * y9 + tb135 * y9d;
-        y9b = -(tb135 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY3]);
-        y9bd = -(tb135d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY3] + tb135 *
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY3] -= tb132 * y9;
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY3] -= tb132d * y9 + tb132 * y9d;
+        y9b = -(tb132 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY3]);
+        y9bd = -(tb132d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY3] + tb132 *
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY3]);
         pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LKY] += y43b * (p[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_PKY1] * fz0_3 * t49 * (1.0 - p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY3]
@@ -2958,12 +2955,12 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY3] * y9) - p[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_PKY1] * fz0_3 * t49 * (pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY3] * y9
             + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY3] * y9d));
-        tb131 = t49b / t48;
-        tb131d = (t49bd - tb131 * t48d) * (1.0 / t48);
-        z5b = tb131 * 2.0;
-        z5bd = tb131d * 2.0;
-        t48b = -(tb131 * t49);
-        t48bd = -(tb131d * t49 + tb131 * t49d);
+        tb128 = t49b / t48;
+        tb128d = (t49bd - tb128 * t48d) * (1.0 / t48);
+        z5b = tb128 * 2.0;
+        z5bd = tb128d * 2.0;
+        t48b = -(tb128 * t49);
+        t48bd = -(tb128d * t49 + tb128 * t49d);
         z5b += t48b * z5;
         z5bd += t48bd * z5 + t48b * z5d;
         z5b += t48b * z5;
@@ -2988,29 +2985,29 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
           t47d = p9d * p9 + p9 * p9d;
           z6 = gy * gy / t47;
           z6d = (gyd * gy + gy * gyd - z6 * t47d) * (1.0 / t47);
-          tb129 = y9b * (15.0 + z6 * (-10.0 + 3.0 * z6));
-          tb129d = y9bd * (15.0 + z6 * (-10.0 + 3.0 * z6)) + y9b * (z6d * (-10.0 + 3.0 * z6) + z6 *
+          tb126 = y9b * (15.0 + z6 * (-10.0 + 3.0 * z6));
+          tb126d = y9bd * (15.0 + z6 * (-10.0 + 3.0 * z6)) + y9b * (z6d * (-10.0 + 3.0 * z6) + z6 *
               (3.0 * z6d));
-          p9b = tb129 * z6 * 0.125;
-          p9bd = (tb129d * z6 + tb129 * z6d) * 0.125;
-          z6b = tb129 * (0.125 * p9);
-          z6bd = tb129d * (0.125 * p9) + tb129 * (0.125 * p9d);
-          tb130 = y9b * (0.125 * p9 * z6);
-          tb130d = y9bd * (0.125 * p9 * z6) + y9b * (0.125 * p9d * z6 + 0.125 * p9 * z6d);
-          z6b += tb130 * (-10.0 + 3.0 * z6);
-          z6bd += tb130d * (-10.0 + 3.0 * z6) + tb130 * (3.0 * z6d);
-          z6b += tb130 * z6 * 3.0;
-          z6bd += (tb130d * z6 + tb130 * z6d) * 3.0;
+          p9b = tb126 * z6 * 0.125;
+          p9bd = (tb126d * z6 + tb126 * z6d) * 0.125;
+          z6b = tb126 * (0.125 * p9);
+          z6bd = tb126d * (0.125 * p9) + tb126 * (0.125 * p9d);
+          tb127 = y9b * (0.125 * p9 * z6);
+          tb127d = y9bd * (0.125 * p9 * z6) + y9b * (0.125 * p9d * z6 + 0.125 * p9 * z6d);
+          z6b += tb127 * (-10.0 + 3.0 * z6);
+          z6bd += tb127d * (-10.0 + 3.0 * z6) + tb127 * (3.0 * z6d);
+          z6b += tb127 * z6 * 3.0;
+          z6bd += (tb127d * z6 + tb127 * z6d) * 3.0;
           y9b = 0.0;
           y9bd = 0.0;
-          tb128 = z6b / t47;
-          tb128d = (z6bd - tb128 * t47d) * (1.0 / t47);
-          gyb += tb128 * gy;
-          gybd += tb128d * gy + tb128 * gyd;
-          gyb += tb128 * gy;
-          gybd += tb128d * gy + tb128 * gyd;
-          t47b = -(tb128 * z6);
-          t47bd = -(tb128d * z6 + tb128 * z6d);
+          tb125 = z6b / t47;
+          tb125d = (z6bd - tb125 * t47d) * (1.0 / t47);
+          gyb += tb125 * gy;
+          gybd += tb125d * gy + tb125 * gyd;
+          gyb += tb125 * gy;
+          gybd += tb125d * gy + tb125 * gyd;
+          t47b = -(tb125 * z6);
+          t47bd = -(tb125d * z6 + tb125 * z6d);
           p9b += t47b * p9;
           p9bd += t47bd * p9 + t47b * p9d;
           p9b += t47b * p9;
@@ -3032,12 +3029,12 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
         muybd = y40bd * fz2 + y40b * fz2d;
         fz2b += y40b * muy;
         fz2bd += y40bd * muy + y40b * muyd;
-        tb127 = z5b / t46;
-        tb127d = (z5bd - tb127 * t46d) * (1.0 / t46);
-        fz2b += tb127;
-        fz2bd += tb127d;
-        t46b = -(tb127 * z5);
-        t46bd = -(tb127d * z5 + tb127 * z5d);
+        tb124 = z5b / t46;
+        tb124d = (z5bd - tb124 * t46d) * (1.0 / t46);
+        fz2b += tb124;
+        fz2bd += tb124d;
+        t46b = -(tb124 * z5);
+        t46bd = -(tb124d * z5 + tb124 * z5d);
         pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY2] += t46b * fz0_3;
         pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY2] += t46bd * fz0_3 + t46b * fz0_3d;
         fz0_3b += t46b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKY2];
@@ -3074,14 +3071,14 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
               p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY4] * gy)) - e7b *
               (pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY3] + (pd[t->tyreadr[t->wheeltyre[i]] +
               MAGGI_TYRE_PEY4] * gy + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY4] * gyd));
-          tb125 = e7b * e6;
-          tb125d = e7bd * e6 + e7b * e6d;
-          pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY3] -= tb125;
-          pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY3] -= tb125d;
-          pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY4] -= tb125 * gy;
-          pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY4] -= tb125d * gy + tb125 * gyd;
-          gyb -= tb125 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY4];
-          gybd -= tb125d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY4] + tb125 *
+          tb122 = e7b * e6;
+          tb122d = e7bd * e6 + e7b * e6d;
+          pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY3] -= tb122;
+          pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY3] -= tb122d;
+          pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY4] -= tb122 * gy;
+          pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY4] -= tb122d * gy + tb122 * gyd;
+          gyb -= tb122 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY4];
+          gybd -= tb122d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY4] + tb122 *
               pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY4];
         } else {
           e8 = e6 * (1.0 + (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY3] +
@@ -3112,25 +3109,25 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
               p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY4] * gy)) + e8b *
               (pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY3] + (pd[t->tyreadr[t->wheeltyre[i]] +
               MAGGI_TYRE_PEY4] * gy + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY4] * gyd));
-          tb126 = e8b * e6;
-          tb126d = e8bd * e6 + e8b * e6d;
-          pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY3] += tb126;
-          pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY3] += tb126d;
-          pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY4] += tb126 * gy;
-          pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY4] += tb126d * gy + tb126 * gyd;
-          gyb += tb126 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY4];
-          gybd += tb126d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY4] + tb126 *
+          tb123 = e8b * e6;
+          tb123d = e8bd * e6 + e8b * e6d;
+          pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY3] += tb123;
+          pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY3] += tb123d;
+          pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY4] += tb123 * gy;
+          pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY4] += tb123d * gy + tb123 * gyd;
+          gyb += tb123 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY4];
+          gybd += tb123d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY4] + tb123 *
               pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY4];
         }
-        tb124 = e6b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LEY];
-        tb124d = e6bd * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LEY] + e6b *
+        tb121 = e6b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LEY];
+        tb121d = e6bd * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LEY] + e6b *
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LEY];
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY1] += tb124;
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY1] += tb124d;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY2] += tb124 * dfz;
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY2] += tb124d * dfz + tb124 * dfzd;
-        dfzb += tb124 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY2];
-        dfzbd += tb124d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY2] + tb124 *
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY1] += tb121;
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY1] += tb121d;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY2] += tb121 * dfz;
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY2] += tb121d * dfz + tb121 * dfzd;
+        dfzb += tb121 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY2];
+        dfzbd += tb121d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY2] + tb121 *
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY2];
         pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LEY] += e6b * (p[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_PEY1] + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY2] * dfz);
@@ -3138,36 +3135,36 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
             MAGGI_TYRE_PEY1] + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY2] * dfz) + e6b *
             (pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY1] + (pd[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_PEY2] * dfz + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEY2] * dfzd));
-        tb120 = muyb * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUY];
-        tb120d = muybd * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUY] + muyb *
+        tb117 = muyb * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUY];
+        tb117d = muybd * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUY] + muyb *
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUY];
-        tb121 = tb120 * (1.0 - p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY3] * gy * gy);
-        tb121d = tb120d * (1.0 - p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY3] * gy * gy) - tb120
+        tb118 = tb117 * (1.0 - p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY3] * gy * gy);
+        tb118d = tb117d * (1.0 - p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY3] * gy * gy) - tb117
             * ((pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY3] * gy +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY3] * gyd) * gy +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY3] * gy * gyd);
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY1] += tb121;
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY1] += tb121d;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY2] += tb121 * dfz;
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY2] += tb121d * dfz + tb121 * dfzd;
-        dfzb += tb121 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY2];
-        dfzbd += tb121d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY2] + tb121 *
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY1] += tb118;
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY1] += tb118d;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY2] += tb118 * dfz;
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY2] += tb118d * dfz + tb118 * dfzd;
+        dfzb += tb118 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY2];
+        dfzbd += tb118d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY2] + tb118 *
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY2];
-        tb122 = tb120 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY1] +
+        tb119 = tb117 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY1] +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY2] * dfz);
-        tb122d = tb120d * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY1] +
-            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY2] * dfz) + tb120 *
+        tb119d = tb117d * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY1] +
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY2] * dfz) + tb117 *
             (pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY1] + (pd[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_PDY2] * dfz + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY2] * dfzd));
-        tb123 = tb122 * gy;
-        tb123d = tb122d * gy + tb122 * gyd;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY3] -= tb123 * gy;
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY3] -= tb123d * gy + tb123 * gyd;
-        gyb -= tb123 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY3];
-        gybd -= tb123d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY3] + tb123 *
+        tb120 = tb119 * gy;
+        tb120d = tb119d * gy + tb119 * gyd;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY3] -= tb120 * gy;
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY3] -= tb120d * gy + tb120 * gyd;
+        gyb -= tb120 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY3];
+        gybd -= tb120d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY3] + tb120 *
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY3];
-        gyb -= tb122 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY3] * gy);
-        gybd -= tb122d * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY3] * gy) + tb122 *
+        gyb -= tb119 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY3] * gy);
+        gybd -= tb119d * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY3] * gy) + tb119 *
             (pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDY3] * gy + p[t->tyreadr[t->wheeltyre[i]]
             + MAGGI_TYRE_PDY3] * gyd);
         pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUY] += muyb * ((p[t->tyreadr[t->wheeltyre[i]]
@@ -3186,15 +3183,15 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
             gyd));
         a5b += ayb;
         a5bd += aybd;
-        tb119 = ayb * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LHY];
-        tb119d = aybd * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LHY] + ayb *
+        tb116 = ayb * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LHY];
+        tb116d = aybd * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LHY] + ayb *
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LHY];
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHY1] += tb119;
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHY1] += tb119d;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHY2] += tb119 * dfz;
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHY2] += tb119d * dfz + tb119 * dfzd;
-        dfzb += tb119 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHY2];
-        dfzbd += tb119d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHY2] + tb119 *
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHY1] += tb116;
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHY1] += tb116d;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHY2] += tb116 * dfz;
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHY2] += tb116d * dfz + tb116 * dfzd;
+        dfzb += tb116 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHY2];
+        dfzbd += tb116d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHY2] + tb116 *
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHY2];
         pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LHY] += ayb * (p[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_PHY1] + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHY2] * dfz);
@@ -3221,33 +3218,33 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
             MAGGI_TYRE_LFZO];
         pbd[t->tyreadr[t->wheeltyre[i]]] += fz0_3bd * p[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_LFZO] + fz0_3b * pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LFZO];
-        tb116 = x55b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUX];
-        tb116d = x55bd * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUX] + x55b *
+        tb113 = x55b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUX];
+        tb113d = x55bd * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUX] + x55b *
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUX];
-        tb117 = tb116 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LVX];
-        tb117d = tb116d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LVX] + tb116 *
+        tb114 = tb113 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LVX];
+        tb114d = tb113d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LVX] + tb113 *
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LVX];
-        fz2b += tb117 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVX1] +
+        fz2b += tb114 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVX1] +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVX2] * dfz);
-        fz2bd += tb117d * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVX1] +
-            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVX2] * dfz) + tb117 *
+        fz2bd += tb114d * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVX1] +
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVX2] * dfz) + tb114 *
             (pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVX1] + (pd[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_PVX2] * dfz + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVX2] * dfzd));
-        tb118 = tb117 * fz2;
-        tb118d = tb117d * fz2 + tb117 * fz2d;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVX1] += tb118;
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVX1] += tb118d;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVX2] += tb118 * dfz;
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVX2] += tb118d * dfz + tb118 * dfzd;
-        dfzb += tb118 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVX2];
-        dfzbd += tb118d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVX2] + tb118 *
+        tb115 = tb114 * fz2;
+        tb115d = tb114d * fz2 + tb114 * fz2d;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVX1] += tb115;
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVX1] += tb115d;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVX2] += tb115 * dfz;
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVX2] += tb115d * dfz + tb115 * dfzd;
+        dfzb += tb115 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVX2];
+        dfzbd += tb115d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVX2] + tb115 *
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVX2];
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LVX] += tb116 * (fz2 *
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LVX] += tb113 * (fz2 *
             (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVX1] + p[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_PVX2] * dfz));
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LVX] += tb116d * (fz2 *
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LVX] += tb113d * (fz2 *
             (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVX1] + p[t->tyreadr[t->wheeltyre[i]] +
-            MAGGI_TYRE_PVX2] * dfz)) + tb116 * (fz2d * (p[t->tyreadr[t->wheeltyre[i]] +
+            MAGGI_TYRE_PVX2] * dfz)) + tb113 * (fz2d * (p[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_PVX1] + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVX2] * dfz) + fz2 *
             (pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVX1] + (pd[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_PVX2] * dfz + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PVX2] * dfzd)));
@@ -3266,30 +3263,30 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LVX]);
         kxb = x54b;
         kxbd = x54bd;
-        tb113 = x53b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LKX];
-        tb113d = x53bd * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LKX] + x53b *
+        tb110 = x53b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LKX];
+        tb110d = x53bd * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LKX] + x53b *
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LKX];
-        tb114 = tb113 * t45;
-        tb114d = tb113d * t45 + tb113 * t45d;
-        fz2b += tb114 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKX1] +
+        tb111 = tb110 * t45;
+        tb111d = tb110d * t45 + tb110 * t45d;
+        fz2b += tb111 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKX1] +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKX2] * dfz);
-        fz2bd += tb114d * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKX1] +
-            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKX2] * dfz) + tb114 *
+        fz2bd += tb111d * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKX1] +
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKX2] * dfz) + tb111 *
             (pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKX1] + (pd[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_PKX2] * dfz + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKX2] * dfzd));
-        tb115 = tb114 * fz2;
-        tb115d = tb114d * fz2 + tb114 * fz2d;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKX1] += tb115;
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKX1] += tb115d;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKX2] += tb115 * dfz;
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKX2] += tb115d * dfz + tb115 * dfzd;
-        dfzb += tb115 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKX2];
-        dfzbd += tb115d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKX2] + tb115 *
+        tb112 = tb111 * fz2;
+        tb112d = tb111d * fz2 + tb111 * fz2d;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKX1] += tb112;
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKX1] += tb112d;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKX2] += tb112 * dfz;
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKX2] += tb112d * dfz + tb112 * dfzd;
+        dfzb += tb112 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKX2];
+        dfzbd += tb112d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKX2] + tb112 *
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKX2];
-        t45b = tb113 * (fz2 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKX1] +
+        t45b = tb110 * (fz2 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKX1] +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKX2] * dfz));
-        t45bd = tb113d * (fz2 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKX1] +
-            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKX2] * dfz)) + tb113 * (fz2d *
+        t45bd = tb110d * (fz2 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKX1] +
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKX2] * dfz)) + tb110 * (fz2d *
             (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKX1] + p[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_PKX2] * dfz) + fz2 * (pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKX1] +
             (pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PKX2] * dfz + p[t->tyreadr[t->wheeltyre[i]]
@@ -3379,24 +3376,24 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
           pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEX4] += e5b * e3;
           pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEX4] += e5bd * e3 + e5b * e3d;
         }
-        tb111 = e3b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LEX];
-        tb111d = e3bd * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LEX] + e3b *
+        tb108 = e3b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LEX];
+        tb108d = e3bd * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LEX] + e3b *
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LEX];
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEX1] += tb111;
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEX1] += tb111d;
-        tb112 = tb111 * dfz;
-        tb112d = tb111d * dfz + tb111 * dfzd;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEX2] += tb112;
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEX2] += tb112d;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEX3] += tb112 * dfz;
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEX3] += tb112d * dfz + tb112 * dfzd;
-        dfzb += tb112 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEX3];
-        dfzbd += tb112d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEX3] + tb112 *
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEX1] += tb108;
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEX1] += tb108d;
+        tb109 = tb108 * dfz;
+        tb109d = tb108d * dfz + tb108 * dfzd;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEX2] += tb109;
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEX2] += tb109d;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEX3] += tb109 * dfz;
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEX3] += tb109d * dfz + tb109 * dfzd;
+        dfzb += tb109 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEX3];
+        dfzbd += tb109d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEX3] + tb109 *
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEX3];
-        dfzb += tb111 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEX2] +
+        dfzb += tb108 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEX2] +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEX3] * dfz);
-        dfzbd += tb111d * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEX2] +
-            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEX3] * dfz) + tb111 *
+        dfzbd += tb108d * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEX2] +
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEX3] * dfz) + tb108 *
             (pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEX2] + (pd[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_PEX3] * dfz + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEX3] * dfzd));
         pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LEX] += e3b * (p[t->tyreadr[t->wheeltyre[i]] +
@@ -3410,36 +3407,36 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEX3] * dfzd)) * dfz +
             (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PEX2] + p[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_PEX3] * dfz) * dfzd));
-        tb107 = muxb * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUX];
-        tb107d = muxbd * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUX] + muxb *
+        tb104 = muxb * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUX];
+        tb104d = muxbd * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUX] + muxb *
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUX];
-        tb108 = tb107 * (1.0 - p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX3] * gx * gx);
-        tb108d = tb107d * (1.0 - p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX3] * gx * gx) - tb107
+        tb105 = tb104 * (1.0 - p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX3] * gx * gx);
+        tb105d = tb104d * (1.0 - p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX3] * gx * gx) - tb104
             * ((pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX3] * gx +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX3] * gxd) * gx +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX3] * gx * gxd);
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX1] += tb108;
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX1] += tb108d;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX2] += tb108 * dfz;
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX2] += tb108d * dfz + tb108 * dfzd;
-        dfzb += tb108 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX2];
-        dfzbd += tb108d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX2] + tb108 *
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX1] += tb105;
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX1] += tb105d;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX2] += tb105 * dfz;
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX2] += tb105d * dfz + tb105 * dfzd;
+        dfzb += tb105 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX2];
+        dfzbd += tb105d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX2] + tb105 *
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX2];
-        tb109 = tb107 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX1] +
+        tb106 = tb104 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX1] +
             p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX2] * dfz);
-        tb109d = tb107d * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX1] +
-            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX2] * dfz) + tb107 *
+        tb106d = tb104d * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX1] +
+            p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX2] * dfz) + tb104 *
             (pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX1] + (pd[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_PDX2] * dfz + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX2] * dfzd));
-        tb110 = tb109 * gx;
-        tb110d = tb109d * gx + tb109 * gxd;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX3] -= tb110 * gx;
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX3] -= tb110d * gx + tb110 * gxd;
-        gxb = -(tb110 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX3]);
-        gxbd = -(tb110d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX3] + tb110 *
+        tb107 = tb106 * gx;
+        tb107d = tb106d * gx + tb106 * gxd;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX3] -= tb107 * gx;
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX3] -= tb107d * gx + tb107 * gxd;
+        gxb = -(tb107 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX3]);
+        gxbd = -(tb107d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX3] + tb107 *
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX3]);
-        gxb -= tb109 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX3] * gx);
-        gxbd -= tb109d * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX3] * gx) + tb109 *
+        gxb -= tb106 * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX3] * gx);
+        gxbd -= tb106d * (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX3] * gx) + tb106 *
             (pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PDX3] * gx + p[t->tyreadr[t->wheeltyre[i]]
             + MAGGI_TYRE_PDX3] * gxd);
         pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LMUX] += muxb * ((p[t->tyreadr[t->wheeltyre[i]]
@@ -3463,15 +3460,15 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
         pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LGAX] += gxbd * gamma + gxb * gammad;
         kappab += kxb;
         kappabd += kxbd;
-        tb106 = kxb * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LHX];
-        tb106d = kxbd * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LHX] + kxb *
+        tb103 = kxb * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LHX];
+        tb103d = kxbd * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LHX] + kxb *
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LHX];
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHX1] += tb106;
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHX1] += tb106d;
-        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHX2] += tb106 * dfz;
-        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHX2] += tb106d * dfz + tb106 * dfzd;
-        dfzb += tb106 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHX2];
-        dfzbd += tb106d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHX2] + tb106 *
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHX1] += tb103;
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHX1] += tb103d;
+        pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHX2] += tb103 * dfz;
+        pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHX2] += tb103d * dfz + tb103 * dfzd;
+        dfzb += tb103 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHX2];
+        dfzbd += tb103d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHX2] + tb103 *
             pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHX2];
         pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LHX] += kxb * (p[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_PHX1] + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHX2] * dfz);
@@ -3479,14 +3476,14 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
             MAGGI_TYRE_PHX1] + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHX2] * dfz) + kxb *
             (pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHX1] + (pd[t->tyreadr[t->wheeltyre[i]] +
             MAGGI_TYRE_PHX2] * dfz + p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_PHX2] * dfzd));
-        tb105 = dfzb / fz0_2;
-        tb105d = (dfzbd - tb105 * fz0_2d) * (1.0 / fz0_2);
-        fz2b += tb105;
-        fz2bd += tb105d;
-        fz0_2b -= tb105;
-        fz0_2bd -= tb105d;
-        fz0_2b -= tb105 * dfz;
-        fz0_2bd -= tb105d * dfz + tb105 * dfzd;
+        tb102 = dfzb / fz0_2;
+        tb102d = (dfzbd - tb102 * fz0_2d) * (1.0 / fz0_2);
+        fz2b += tb102;
+        fz2bd += tb102d;
+        fz0_2b -= tb102;
+        fz0_2bd -= tb102d;
+        fz0_2b -= tb102 * dfz;
+        fz0_2bd -= tb102d * dfz + tb102 * dfzd;
         pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_UNLOADED_RADIUS] += r0b;
         pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_UNLOADED_RADIUS] += r0bd;
         pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LFZO] += fz0_2b *
@@ -3555,50 +3552,50 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
     fzbd += slipbd[i][MAGGI_SLIP_FZ];
     slipb[i][MAGGI_SLIP_FZ] = 0.0;
     slipbd[i][MAGGI_SLIP_FZ] = 0.0;
-    tb104 = slipb[i][MAGGI_SLIP_GAMMA];
-    tb104d = slipbd[i][MAGGI_SLIP_GAMMA];
+    tb101 = slipb[i][MAGGI_SLIP_GAMMA];
+    tb101d = slipbd[i][MAGGI_SLIP_GAMMA];
     slipb[i][MAGGI_SLIP_GAMMA] = 0.0;
     slipbd[i][MAGGI_SLIP_GAMMA] = 0.0;
-    z1b = tb104 * (z2_2 / (z2_2 * z2_2 + z1 * z1));
-    z1bd = tb104d * (z2_2 / (z2_2 * z2_2 + z1 * z1)) + tb104 * ((z2_2d - z2_2 / (z2_2 * z2_2 + z1 *
+    z1b = tb101 * (z2_2 / (z2_2 * z2_2 + z1 * z1));
+    z1bd = tb101d * (z2_2 / (z2_2 * z2_2 + z1 * z1)) + tb101 * ((z2_2d - z2_2 / (z2_2 * z2_2 + z1 *
         z1) * (z2_2d * z2_2 + z2_2 * z2_2d + (z1d * z1 + z1 * z1d))) / (z2_2 * z2_2 + z1 * z1));
-    z2_2b = -(tb104 * (z1 / (z2_2 * z2_2 + z1 * z1)));
-    z2_2bd = -(tb104d * (z1 / (z2_2 * z2_2 + z1 * z1)) + tb104 * ((z1d - z1 / (z2_2 * z2_2 + z1 *
+    z2_2b = -(tb101 * (z1 / (z2_2 * z2_2 + z1 * z1)));
+    z2_2bd = -(tb101d * (z1 / (z2_2 * z2_2 + z1 * z1)) + tb101 * ((z1d - z1 / (z2_2 * z2_2 + z1 *
         z1) * (z2_2d * z2_2 + z2_2 * z2_2d + (z1d * z1 + z1 * z1d))) / (z2_2 * z2_2 + z1 * z1)));
-    tb102 = slipb[i][MAGGI_SLIP_TAN_ALPHA];
-    tb102d = slipbd[i][MAGGI_SLIP_TAN_ALPHA];
+    tb99 = slipb[i][MAGGI_SLIP_TAN_ALPHA];
+    tb99d = slipbd[i][MAGGI_SLIP_TAN_ALPHA];
     slipb[i][MAGGI_SLIP_TAN_ALPHA] = 0.0;
     slipbd[i][MAGGI_SLIP_TAN_ALPHA] = 0.0;
-    tb103 = tb102 / speed;
-    tb103d = (tb102d - tb103 * speedd) * (1.0 / speed);
-    v0b = tb103 * L0;
-    v0bd = tb103d * L0 + tb103 * L0d;
-    L0b += tb103 * v0;
-    L0bd += tb103d * v0 + tb103 * v0d;
-    v1b = tb103 * L1;
-    v1bd = tb103d * L1 + tb103 * L1d;
-    L1b += tb103 * v1;
-    L1bd += tb103d * v1 + tb103 * v1d;
-    v2b = tb103 * L2;
-    v2bd = tb103d * L2 + tb103 * L2d;
-    L2b += tb103 * v2;
-    L2bd += tb103d * v2 + tb103 * v2d;
-    speedb = -(tb103 * slip[i][MAGGI_SLIP_TAN_ALPHA]);
-    speedbd = -(tb103d * slip[i][MAGGI_SLIP_TAN_ALPHA] + tb103 * slipd[i][MAGGI_SLIP_TAN_ALPHA]);
-    tb100 = slipb[i][MAGGI_SLIP_KAPPA];
-    tb100d = slipbd[i][MAGGI_SLIP_KAPPA];
+    tb100 = tb99 / speed;
+    tb100d = (tb99d - tb100 * speedd) * (1.0 / speed);
+    v0b = tb100 * L0;
+    v0bd = tb100d * L0 + tb100 * L0d;
+    L0b += tb100 * v0;
+    L0bd += tb100d * v0 + tb100 * v0d;
+    v1b = tb100 * L1;
+    v1bd = tb100d * L1 + tb100 * L1d;
+    L1b += tb100 * v1;
+    L1bd += tb100d * v1 + tb100 * v1d;
+    v2b = tb100 * L2;
+    v2bd = tb100d * L2 + tb100 * L2d;
+    L2b += tb100 * v2;
+    L2bd += tb100d * v2 + tb100 * v2d;
+    speedb = -(tb100 * slip[i][MAGGI_SLIP_TAN_ALPHA]);
+    speedbd = -(tb100d * slip[i][MAGGI_SLIP_TAN_ALPHA] + tb100 * slipd[i][MAGGI_SLIP_TAN_ALPHA]);
+    tb97 = slipb[i][MAGGI_SLIP_KAPPA];
+    tb97d = slipbd[i][MAGGI_SLIP_KAPPA];
     slipb[i][MAGGI_SLIP_KAPPA] = 0.0;
     slipbd[i][MAGGI_SLIP_KAPPA] = 0.0;
-    tb101 = tb100 / speed;
-    tb101d = (tb100d - tb101 * speedd) * (1.0 / speed);
-    omegab = tb101 * re;
-    omegabd = tb101d * re + tb101 * red;
-    reb += tb101 * omega;
-    rebd += tb101d * omega + tb101 * omegad;
-    vxb -= tb101;
-    vxbd -= tb101d;
-    speedb -= tb101 * slip[i][MAGGI_SLIP_KAPPA];
-    speedbd -= tb101d * slip[i][MAGGI_SLIP_KAPPA] + tb101 * slipd[i][MAGGI_SLIP_KAPPA];
+    tb98 = tb97 / speed;
+    tb98d = (tb97d - tb98 * speedd) * (1.0 / speed);
+    omegab = tb98 * re;
+    omegabd = tb98d * re + tb98 * red;
+    reb += tb98 * omega;
+    rebd += tb98d * omega + tb98 * omegad;
+    vxb -= tb98;
+    vxbd -= tb98d;
+    speedb -= tb98 * slip[i][MAGGI_SLIP_KAPPA];
+    speedbd -= tb98d * slip[i][MAGGI_SLIP_KAPPA] + tb98 * slipd[i][MAGGI_SLIP_KAPPA];
     y3b = speedb;
     y3bd = speedbd;
     /* |v|; less than low gives way to (low + v^2 / low) / 2, which is not 0 at rest */
@@ -3617,22 +3614,22 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
       p8d = pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_VXLOW];
       t43 = vx * vx / p8;
       t43d = (vxd * vx + vx * vxd - t43 * p8d) * (1.0 / p8);
-      tb99 = y3b * 0.5;
-      tb99d = y3bd * 0.5;
-      p8b = tb99;
-      p8bd = tb99d;
-      t43b = tb99;
-      t43bd = tb99d;
+      tb96 = y3b * 0.5;
+      tb96d = y3bd * 0.5;
+      p8b = tb96;
+      p8bd = tb96d;
+      t43b = tb96;
+      t43bd = tb96d;
       y3b = 0.0;
       y3bd = 0.0;
-      tb98 = t43b / p8;
-      tb98d = (t43bd - tb98 * p8d) * (1.0 / p8);
-      vxb += tb98 * vx;
-      vxbd += tb98d * vx + tb98 * vxd;
-      vxb += tb98 * vx;
-      vxbd += tb98d * vx + tb98 * vxd;
-      p8b -= tb98 * t43;
-      p8bd -= tb98d * t43 + tb98 * t43d;
+      tb95 = t43b / p8;
+      tb95d = (t43bd - tb95 * p8d) * (1.0 / p8);
+      vxb += tb95 * vx;
+      vxbd += tb95d * vx + tb95 * vxd;
+      vxb += tb95 * vx;
+      vxbd += tb95d * vx + tb95 * vxd;
+      p8b -= tb95 * t43;
+      p8bd -= tb95d * t43 + tb95 * t43d;
       pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_VXLOW] += p8b;
       pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_VXLOW] += p8bd;
     }
@@ -3660,17 +3657,17 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
           (pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_DREFF] * t42 + p[t->tyreadr[t->wheeltyre[i]]
           + MAGGI_TYRE_DREFF] * t42d + (pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_FREFF] * ratio +
           p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_FREFF] * ratiod)));
-      tb97 = re2b * t40;
-      tb97d = re2bd * t40 + re2b * t40d;
-      pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_DREFF] -= tb97 * t42;
-      pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_DREFF] -= tb97d * t42 + tb97 * t42d;
-      t42b = -(tb97 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_DREFF]);
-      t42bd = -(tb97d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_DREFF] + tb97 *
+      tb94 = re2b * t40;
+      tb94d = re2bd * t40 + re2b * t40d;
+      pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_DREFF] -= tb94 * t42;
+      pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_DREFF] -= tb94d * t42 + tb94 * t42d;
+      t42b = -(tb94 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_DREFF]);
+      t42bd = -(tb94d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_DREFF] + tb94 *
           pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_DREFF]);
-      pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_FREFF] -= tb97 * ratio;
-      pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_FREFF] -= tb97d * ratio + tb97 * ratiod;
-      ratiob = -(tb97 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_FREFF]);
-      ratiobd = -(tb97d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_FREFF] + tb97 *
+      pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_FREFF] -= tb94 * ratio;
+      pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_FREFF] -= tb94d * ratio + tb94 * ratiod;
+      ratiob = -(tb94 * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_FREFF]);
+      ratiobd = -(tb94d * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_FREFF] + tb94 *
           pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_FREFF]);
       re2b = 0.0;
       re2bd = 0.0;
@@ -3682,19 +3679,19 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
       ratiob += t41b * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_BREFF];
       ratiobd += t41bd * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_BREFF] + t41b *
           pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_BREFF];
-      tb96 = t40b / p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_VERTICAL_STIFFNESS];
-      tb96d = (t40bd - tb96 * pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_VERTICAL_STIFFNESS]) *
+      tb93 = t40b / p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_VERTICAL_STIFFNESS];
+      tb93d = (t40bd - tb93 * pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_VERTICAL_STIFFNESS]) *
           (1.0 / p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_VERTICAL_STIFFNESS]);
-      fz0b += tb96;
-      fz0bd += tb96d;
-      pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_VERTICAL_STIFFNESS] -= tb96 * t40;
-      pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_VERTICAL_STIFFNESS] -= tb96d * t40 + tb96 * t40d;
-      tb95 = ratiob / fz0;
-      tb95d = (ratiobd - tb95 * fz0d) * (1.0 / fz0);
-      fzb += tb95;
-      fzbd += tb95d;
-      fz0b -= tb95 * ratio;
-      fz0bd -= tb95d * ratio + tb95 * ratiod;
+      fz0b += tb93;
+      fz0bd += tb93d;
+      pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_VERTICAL_STIFFNESS] -= tb93 * t40;
+      pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_VERTICAL_STIFFNESS] -= tb93d * t40 + tb93 * t40d;
+      tb92 = ratiob / fz0;
+      tb92d = (ratiobd - tb92 * fz0d) * (1.0 / fz0);
+      fzb += tb92;
+      fzbd += tb92d;
+      fz0b -= tb92 * ratio;
+      fz0bd -= tb92d * ratio + tb92 * ratiod;
     } else {
       pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_UNLOADED_RADIUS] += re2b;
       pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_UNLOADED_RADIUS] += re2bd;
@@ -3713,42 +3710,18 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
     pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_VERTICAL_STIFFNESS] += fzbd *
         (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_UNLOADED_RADIUS] - z0) + fzb *
         (pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_UNLOADED_RADIUS] - z0d);
-    tb94 = fzb * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_VERTICAL_STIFFNESS];
-    tb94d = fzbd * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_VERTICAL_STIFFNESS] + fzb *
+    tb91 = fzb * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_VERTICAL_STIFFNESS];
+    tb91d = fzbd * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_VERTICAL_STIFFNESS] + fzb *
         pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_VERTICAL_STIFFNESS];
-    pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_UNLOADED_RADIUS] += tb94;
-    pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_UNLOADED_RADIUS] += tb94d;
-    z0b -= tb94;
-    z0bd -= tb94d;
+    pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_UNLOADED_RADIUS] += tb91;
+    pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_UNLOADED_RADIUS] += tb91d;
+    z0b -= tb91;
+    z0bd -= tb91d;
     pb[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_VERTICAL_DAMPING] += fzb * rhov;
     pbd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_VERTICAL_DAMPING] += fzbd * rhov + fzb * rhovd;
     rhovb = fzb * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_VERTICAL_DAMPING];
     rhovbd = fzbd * p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_VERTICAL_DAMPING] + fzb *
         pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_VERTICAL_DAMPING];
-    tb91 = omegab * u0;
-    tb91d = omegabd * u0 + omegab * u0d;
-    Zb[t->wheelbody[i]][3] += tb91;
-    Zbd[t->wheelbody[i]][3] += tb91d;
-    Z_i3b = -tb91;
-    Z_i3bd = -tb91d;
-    u0b = omegab * (Z[t->wheelbody[i]][3] - Z_i3);
-    u0bd = omegabd * (Z[t->wheelbody[i]][3] - Z_i3) + omegab * (Zd[t->wheelbody[i]][3] - Z_i3d);
-    tb92 = omegab * u1;
-    tb92d = omegabd * u1 + omegab * u1d;
-    Zb[t->wheelbody[i]][4] += tb92;
-    Zbd[t->wheelbody[i]][4] += tb92d;
-    Z_i4b = -tb92;
-    Z_i4bd = -tb92d;
-    u1b = omegab * (Z[t->wheelbody[i]][4] - Z_i4);
-    u1bd = omegabd * (Z[t->wheelbody[i]][4] - Z_i4) + omegab * (Zd[t->wheelbody[i]][4] - Z_i4d);
-    tb93 = omegab * u2_2;
-    tb93d = omegabd * u2_2 + omegab * u2_2d;
-    Zb[t->wheelbody[i]][5] += tb93;
-    Zbd[t->wheelbody[i]][5] += tb93d;
-    Z_i5b = -tb93;
-    Z_i5bd = -tb93d;
-    u2_2b = omegab * (Z[t->wheelbody[i]][5] - Z_i5);
-    u2_2bd = omegabd * (Z[t->wheelbody[i]][5] - Z_i5) + omegab * (Zd[t->wheelbody[i]][5] - Z_i5d);
     tb90 = rhovb / z2_2;
     tb90d = (rhovbd - tb90 * z2_2d) * (1.0 / z2_2);
     z3_2b = tb90 * v0;
@@ -3815,23 +3788,48 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
     wr2bd -= vr0bd * arm1 + vr0b * arm1d;
     arm1b -= vr0b * wr2;
     arm1bd -= vr0bd * wr2 + vr0b * wr2d;
-    Z_i5b += wr2b;
-    Z_i5bd += wr2bd;
-    Zb[t->wheelcarrier[i]][5] += Z_i5b;
-    Zbd[t->wheelcarrier[i]][5] += Z_i5bd;
-    Z_i4b += wr1b;
-    Z_i4bd += wr1bd;
-    Zb[t->wheelcarrier[i]][4] += Z_i4b;
-    Zbd[t->wheelcarrier[i]][4] += Z_i4bd;
-    Z_i3b += wr0b;
-    /* Slip and forces of a wheel.
-     *   V = v_C + w_carrier × r e,  Omega = (w - w_carrier).u,  rho = R0 - r,  rho' = -V.n / |u × n|
+    Z_i5b = wr2b;
+    Z_i5bd = wr2bd;
+    omegab -= wr2b * u2_2;
+    omegabd -= wr2bd * u2_2 + wr2b * u2_2d;
+    u2_2b = -(wr2b * omega);
+    u2_2bd = -(wr2bd * omega + wr2b * omegad);
+    Z_i4b = wr1b;
+    Z_i4bd = wr1bd;
+    omegab -= wr1b * u1;
+    omegabd -= wr1bd * u1 + wr1b * u1d;
+    u1b = -(wr1b * omega);
+    u1bd = -(wr1bd * omega + wr1b * omegad);
+    Z_i3b = wr0b;
+    Z_i3bd = wr0bd;
+    omegab -= wr0b * u0;
+    omegabd -= wr0bd * u0 + wr0b * u0d;
+    u0b = -(wr0b * omega);
+    u0bd = -(wr0bd * omega + wr0b * omegad);
+    Z_i3b += omegab * u0;
+    /* Slip and forces of a wheel.  V is the velocity of the place on the road below the wheel, which the turn of
+     * neither wheel nor carrier about the axis moves:
+     *   Omega = w.u,  V = v_C + (w - Omega u) × r e,  rho = R0 - r,  rho' = -V.n / |u × n|
      *   Fz = Cz rho + Cd rho'
      *   kappa = -(V.t - Omega Re) / |V.t|,  tan(alpha) = V.l / |V.t|,  sin(gamma) = u.n
      * No force without contact; without grip that of the spring alone, as at rest. */
-    Z_i3bd += wr0bd;
-    Zb[t->wheelcarrier[i]][3] += Z_i3b;
-    Zbd[t->wheelcarrier[i]][3] += Z_i3bd;
+    Z_i3bd += omegabd * u0 + omegab * u0d;
+    u0b += omegab * Z_i3;
+    u0bd += omegabd * Z_i3 + omegab * Z_i3d;
+    Z_i4b += omegab * u1;
+    Z_i4bd += omegabd * u1 + omegab * u1d;
+    u1b += omegab * Z_i4;
+    u1bd += omegabd * Z_i4 + omegab * Z_i4d;
+    Z_i5b += omegab * u2_2;
+    Z_i5bd += omegabd * u2_2 + omegab * u2_2d;
+    u2_2b += omegab * Z_i5;
+    u2_2bd += omegabd * Z_i5 + omegab * Z_i5d;
+    Zb[t->wheelbody[i]][5] += Z_i5b;
+    Zbd[t->wheelbody[i]][5] += Z_i5bd;
+    Zb[t->wheelbody[i]][4] += Z_i4b;
+    Zbd[t->wheelbody[i]][4] += Z_i4bd;
+    Zb[t->wheelbody[i]][3] += Z_i3b;
+    Zbd[t->wheelbody[i]][3] += Z_i3bd;
     h12b = z3_2b;
     h12bd = z3_2bd;
     wb = z2_2b;
@@ -5301,9 +5299,9 @@ void maggi_wheel_forces_b_d(const maggi_topo *t, const double p[restrict t->np],
   }
 }
 
-/* Rates of the coordinates on which wheels turn at which they roll freely, kappa = 0: with V the velocity of
- * the contact point on the carrier and w the velocity of the wheel by its coordinate
- *   v = V.t / (Re w.u) */
+/* Rates of the coordinates on which wheels turn at which they roll freely, kappa = 0: with w that of the
+ * carrier and w_q that of the wheel on it at the rate 1
+ *   v = (V.t / Re - w.u) / (w_q.u) */
 void maggi_rolling_b_d(const maggi_topo *t, const double p[restrict t->np],
                        const double pd[restrict t->np], double pb[restrict t->np],
                        double pbd[restrict t->np], const double spline0[restrict t->nspline][3],
@@ -5331,63 +5329,66 @@ void maggi_rolling_b_d(const maggi_topo *t, const double p[restrict t->np],
       arm2bd, arm2d, axis0, axis0b, axis0bd, axis0d, axis1, axis1b, axis1bd, axis1d, axis2, axis2b,
       axis2bd, axis2d, b20, b20b, b20bd, b20d, b3, b3b, b3bd, b3d, b40, b40b, b40bd, b40d, b41,
       b41b, b41bd, b41d, b5, b5b, b5bd, b5d, base, base2, base2b, base2bd, base2d, baseb, basebd,
-      based, c0, c0b, c0bd, c0d, c1, c1b, c1bd, c1d, c2, c2_2, c2_2b, c2_2bd, c2_2d, c2b, c2bd, c2d,
-      c3, c3b, c3bd, c3d, c4, c4b, c4bd, c4d, c5, c5b, c5bd, c5d, c6, c6b, c6bd, c6d, e, e2, e2b,
-      e2bd, e2d, eb, ebd, ed, f, f2, f2b, f2bd, f2d, fb, fbd, fd, fz, fz0, fz0b, fz0bd, fz0d, fzb,
-      fzbd, fzd, g0, g0b, g0bd, g0d, g2, g2b, g2bd, g2d, h, h00, h00b, h00bd, h00d, h0_2, h0_2b,
-      h0_2bd, h0_2d, h0_3, h0_3b, h0_3bd, h0_3d, h10, h10b, h10bd, h10d, h11, h11b, h11bd, h11d,
-      h12, h12b, h12bd, h12d, h1_2, h1_2b, h1_2bd, h1_2d, h1_3, h1_3b, h1_3bd, h1_3d, h2, h2_2,
-      h2_2b, h2_2bd, h2_2d, h2_3, h2_3b, h2_3bd, h2_3d, h2b, h2bd, h2d, h3, h3_2, h3_2b, h3_2bd,
-      h3_2d, h3b, h3bd, h3d, hb, hbd, hd, k5, k5b, k5bd, k5d, k8, k8b, k8bd, k8d, n2, n2b, n2bd,
-      n2d, normal0, normal0b, normal0bd, normal0d, normal1, normal2, normal2b, normal2bd, normal2d,
-      p2, p2b, p2bd, p2d, p3, p3b, p3bd, p3d, p4, p4b, p4bd, p4d, p5, p5b, p5bd, p5d, p6, p6b, p6bd,
-      p6d, p7, p7b, p7bd, p7d, p_road, p_road2, p_road2b, p_road2bd, p_road2d, p_road3, p_road3b,
-      p_road3bd, p_road3d, p_road4, p_road4b, p_road4bd, p_road4d, p_road5, p_road5b, p_road5bd,
-      p_road5d, p_road6, p_road6b, p_road6bd, p_road6d, p_roadb, p_roadbd, p_roadd, p_roadk6,
-      p_roadk61, p_roadk61b, p_roadk61bd, p_roadk61d, p_roadk6b, p_roadk6bd, p_roadk6d, p_roadk9,
-      p_roadk91, p_roadk91b, p_roadk91bd, p_roadk91d, p_roadk9b, p_roadk9bd, p_roadk9d, p_roadroad,
-      p_roadroad2, p_roadroad2b, p_roadroad2bd, p_roadroad2d, p_roadroadb, p_roadroadbd,
-      p_roadroadd, r2, r2b, r2bd, r2d, radius, radius2, radius2b, radius2bd, radius2d, radiusb,
-      radiusbd, radiusd, ratio, ratiob, ratiobd, ratiod, re, reb, rebd, red, rhov, rhovb, rhovbd,
-      rhovd, s, s20, s20b, s20bd, s20d, s30, s30b, s30bd, s30d, s31, s31b, s31bd, s31d, sb, sbd, sd,
-      slope, slope2, slope2_2, slope2_2b, slope2_2bd, slope2_2d, slope2b, slope2bd, slope2d, slope3,
-      slope3b, slope3bd, slope3d, slopeb, slopebd, sloped, spline0_roadk60, spline0_roadk60b,
-      spline0_roadk60bd, spline0_roadk60d, spline0_roadk610, spline0_roadk610b, spline0_roadk610bd,
-      spline0_roadk610d, spline0_roadk90, spline0_roadk90b, spline0_roadk90bd, spline0_roadk90d,
-      spline0_roadk910, spline0_roadk910b, spline0_roadk910bd, spline0_roadk910d, t10, t10b, t10bd,
-      t10d, t11, t11b, t11bd, t11d, t12, t12b, t12bd, t12d, t13, t13b, t13bd, t13d, t14, t14b,
-      t14bd, t14d, t15, t15b, t15bd, t15d, t16, t16b, t16bd, t16d, t17, t17b, t17bd, t17d, t18,
-      t18b, t18bd, t18d, t19, t19b, t19bd, t19d, t2, t20, t20b, t20bd, t20d, t21, t21b, t21bd, t21d,
-      t22, t22b, t22bd, t22d, t23, t23b, t23bd, t23d, t24, t24b, t24bd, t24d, t25, t25b, t25bd,
-      t25d, t26, t26b, t26bd, t26d, t27, t27b, t27bd, t27d, t28, t28b, t28bd, t28d, t29, t29b,
-      t29bd, t29d, t2b, t2bd, t2d, t3, t30, t30b, t30bd, t30d, t31, t31b, t31bd, t31d, t32, t32b,
-      t32bd, t32d, t33, t33b, t33bd, t33d, t34, t34b, t34bd, t34d, t35, t35b, t35bd, t35d, t36,
-      t36b, t36bd, t36d, t37, t37b, t37bd, t37d, t38, t38b, t38bd, t38d, t39, t39b, t39bd, t39d,
-      t3b, t3bd, t3d, t4, t40, t40b, t40bd, t40d, t41, t41b, t41bd, t41d, t42, t42b, t42bd, t42d,
-      t43, t43b, t43bd, t43d, t4b, t4bd, t4d, t5, t5b, t5bd, t5d, t6, t6b, t6bd, t6d, t7, t7b, t7bd,
-      t7d, t8, t8b, t8bd, t8d, t9, t9b, t9bd, t9d, tb10, tb10d, tb11, tb11d, tb12, tb12d, tb13,
-      tb13d, tb14, tb14d, tb15, tb15d, tb16, tb16d, tb17, tb17d, tb18, tb18d, tb19, tb19d, tb2,
-      tb20, tb20d, tb21, tb21d, tb22, tb22d, tb23, tb23d, tb24, tb24d, tb25, tb25d, tb26, tb26d,
-      tb27, tb27d, tb28, tb28d, tb29, tb29d, tb2d, tb3, tb30, tb30d, tb31, tb31d, tb32, tb32d, tb33,
-      tb33d, tb34, tb34d, tb35, tb35d, tb36, tb36d, tb37, tb37d, tb38, tb38d, tb39, tb39d, tb3d,
-      tb4, tb40, tb40d, tb41, tb41d, tb42, tb42d, tb43, tb43d, tb44, tb44d, tb45, tb45d, tb46,
-      tb46d, tb47, tb47d, tb48, tb48d, tb49, tb49d, tb4d, tb5, tb50, tb50d, tb51, tb51d, tb52,
-      tb52d, tb53, tb53d, tb54, tb54d, tb55, tb55d, tb56, tb56d, tb57, tb57d, tb58, tb58d, tb59,
-      tb59d, tb5d, tb6, tb60, tb60d, tb61, tb61d, tb62, tb62d, tb63, tb63d, tb64, tb64d, tb65,
-      tb65d, tb66, tb66d, tb67, tb67d, tb68, tb68d, tb69, tb69d, tb6d, tb7, tb70, tb70d, tb71,
-      tb71d, tb72, tb72d, tb73, tb73d, tb74, tb74d, tb75, tb75d, tb76, tb76d, tb77, tb77d, tb78,
-      tb78d, tb79, tb79d, tb7d, tb8, tb80, tb80d, tb81, tb81d, tb82, tb82d, tb83, tb83d, tb84,
-      tb84d, tb85, tb85d, tb86, tb86d, tb87, tb87d, tb88, tb88d, tb89, tb89d, tb8d, tb9, tb90,
-      tb90d, tb91, tb91d, tb92, tb92d, tb93, tb93d, tb94, tb94d, tb95, tb95d, tb96, tb96d, tb97,
-      tb97d, tb9d, u0, u0b, u0bd, u0d, u1, u1b, u1bd, u1d, u2, u2_2, u2_2b, u2_2bd, u2_2d, u2b,
-      u2bd, u2d, u3, u3b, u3bd, u3d, ua0, ua0b, ua0bd, ua0d, ua1, ua1b, ua1bd, ua1d, ua2, ua2b,
-      ua2bd, ua2d, un0, un0b, un0bd, un0d, un1, un1b, un1bd, un1d, un2, un2b, un2bd, un2d, v0, v0b,
-      v0bd, v0d, v1, v1b, v1bd, v1d, v2, v2b, v2bd, v2d, w0, w0b, w0bd, w0d, w1, w1b, w1bd, w1d, w2,
-      w2_2, w2_2b, w2_2bd, w2_2d, w2b, w2bd, w2d, w3, w3b, w3bd, w3d, w4, w4b, w4bd, w4d, way, way2,
-      wr0, wr0b, wr0bd, wr0d, wr1, wr1b, wr1bd, wr1d, wr2, wr2b, wr2bd, wr2d, x, x2, x2b, x2bd, x2d,
-      x3, x3b, x3bd, x3d, x4, x4b, x4bd, x4d, xb, xbd, xd, y, y2, y2b, y2bd, y2d, yb, ybd, yd, z0,
-      z0b, z0bd, z0d, z2, z2_2, z2_2b, z2_2bd, z2_2d, z2_3, z2_3b, z2_3bd, z2_3d, z2b, z2bd, z2d,
-      z3, z3_2, z3_2b, z3_2bd, z3_2d, z3_3, z3_3b, z3_3bd, z3_3d, z3b, z3bd, z3d;
+      based, c, c2, c2b, c2bd, c2d, c3, c3b, c3bd, c3d, c4, c4b, c4bd, c4d, c5, c5b, c5bd, c5d, cb,
+      cbd, cd, e, e2, e2b, e2bd, e2d, eb, ebd, ed, f, f2, f2b, f2bd, f2d, fb, fbd, fd, fz, fz0,
+      fz0b, fz0bd, fz0d, fzb, fzbd, fzd, g0, g0b, g0bd, g0d, g2, g2b, g2bd, g2d, h, h00, h00b,
+      h00bd, h00d, h0_2, h0_2b, h0_2bd, h0_2d, h0_3, h0_3b, h0_3bd, h0_3d, h10, h10b, h10bd, h10d,
+      h11, h11b, h11bd, h11d, h12, h12b, h12bd, h12d, h1_2, h1_2b, h1_2bd, h1_2d, h1_3, h1_3b,
+      h1_3bd, h1_3d, h2, h2_2, h2_2b, h2_2bd, h2_2d, h2_3, h2_3b, h2_3bd, h2_3d, h2b, h2bd, h2d, h3,
+      h3_2, h3_2b, h3_2bd, h3_2d, h3b, h3bd, h3d, hb, hbd, hd, k5, k5b, k5bd, k5d, k8, k8b, k8bd,
+      k8d, n2, n2b, n2bd, n2d, normal0, normal0b, normal0bd, normal0d, normal1, normal2, normal2b,
+      normal2bd, normal2d, p2, p2b, p2bd, p2d, p3, p3b, p3bd, p3d, p4, p4b, p4bd, p4d, p5, p5b,
+      p5bd, p5d, p6, p6b, p6bd, p6d, p7, p7b, p7bd, p7d, p_road, p_road2, p_road2b, p_road2bd,
+      p_road2d, p_road3, p_road3b, p_road3bd, p_road3d, p_road4, p_road4b, p_road4bd, p_road4d,
+      p_road5, p_road5b, p_road5bd, p_road5d, p_road6, p_road6b, p_road6bd, p_road6d, p_roadb,
+      p_roadbd, p_roadd, p_roadk6, p_roadk61, p_roadk61b, p_roadk61bd, p_roadk61d, p_roadk6b,
+      p_roadk6bd, p_roadk6d, p_roadk9, p_roadk91, p_roadk91b, p_roadk91bd, p_roadk91d, p_roadk9b,
+      p_roadk9bd, p_roadk9d, p_roadroad, p_roadroad2, p_roadroad2b, p_roadroad2bd, p_roadroad2d,
+      p_roadroadb, p_roadroadbd, p_roadroadd, r2, r2b, r2bd, r2d, r_i0, r_i0b, r_i0bd, r_i0d, r_i1,
+      r_i1b, r_i1bd, r_i1d, r_i2, r_i2b, r_i2bd, r_i2d, radius, radius2, radius2b, radius2bd,
+      radius2d, radiusb, radiusbd, radiusd, ratio, ratiob, ratiobd, ratiod, re, re2, re2b, re2bd,
+      re2d, reb, rebd, red, rhov, rhovb, rhovbd, rhovd, s, s20, s20b, s20bd, s20d, s30, s30b, s30bd,
+      s30d, s31, s31b, s31bd, s31d, sb, sbd, sd, slope, slope2, slope2_2, slope2_2b, slope2_2bd,
+      slope2_2d, slope2b, slope2bd, slope2d, slope3, slope3b, slope3bd, slope3d, slopeb, slopebd,
+      sloped, spline0_roadk60, spline0_roadk60b, spline0_roadk60bd, spline0_roadk60d,
+      spline0_roadk610, spline0_roadk610b, spline0_roadk610bd, spline0_roadk610d, spline0_roadk90,
+      spline0_roadk90b, spline0_roadk90bd, spline0_roadk90d, spline0_roadk910, spline0_roadk910b,
+      spline0_roadk910bd, spline0_roadk910d, t10, t10b, t10bd, t10d, t11, t11b, t11bd, t11d, t12,
+      t12b, t12bd, t12d, t13, t13b, t13bd, t13d, t14, t14b, t14bd, t14d, t15, t15b, t15bd, t15d,
+      t16, t16b, t16bd, t16d, t17, t17b, t17bd, t17d, t18, t18b, t18bd, t18d, t19, t19b, t19bd,
+      t19d, t2, t20, t20b, t20bd, t20d, t21, t21b, t21bd, t21d, t22, t22b, t22bd, t22d, t23, t23b,
+      t23bd, t23d, t24, t24b, t24bd, t24d, t25, t25b, t25bd, t25d, t26, t26b, t26bd, t26d, t27,
+      t27b, t27bd, t27d, t28, t28b, t28bd, t28d, t29, t29b, t29bd, t29d, t2b, t2bd, t2d, t3, t30,
+      t30b, t30bd, t30d, t31, t31b, t31bd, t31d, t32, t32b, t32bd, t32d, t33, t33b, t33bd, t33d,
+      t34, t34b, t34bd, t34d, t35, t35b, t35bd, t35d, t36, t36b, t36bd, t36d, t37, t37b, t37bd,
+      t37d, t38, t38b, t38bd, t38d, t39, t39b, t39bd, t39d, t3b, t3bd, t3d, t4, t40, t40b, t40bd,
+      t40d, t41, t41b, t41bd, t41d, t42, t42b, t42bd, t42d, t43, t43b, t43bd, t43d, t44, t44b,
+      t44bd, t44d, t4b, t4bd, t4d, t5, t5b, t5bd, t5d, t6, t6b, t6bd, t6d, t7, t7b, t7bd, t7d, t8,
+      t8b, t8bd, t8d, t9, t9b, t9bd, t9d, tb10, tb10d, tb11, tb11d, tb12, tb12d, tb13, tb13d, tb14,
+      tb14d, tb15, tb15d, tb16, tb16d, tb17, tb17d, tb18, tb18d, tb19, tb19d, tb2, tb20, tb20d,
+      tb21, tb21d, tb22, tb22d, tb23, tb23d, tb24, tb24d, tb25, tb25d, tb26, tb26d, tb27, tb27d,
+      tb28, tb28d, tb29, tb29d, tb2d, tb3, tb30, tb30d, tb31, tb31d, tb32, tb32d, tb33, tb33d, tb34,
+      tb34d, tb35, tb35d, tb36, tb36d, tb37, tb37d, tb38, tb38d, tb39, tb39d, tb3d, tb4, tb40,
+      tb40d, tb41, tb41d, tb42, tb42d, tb43, tb43d, tb44, tb44d, tb45, tb45d, tb46, tb46d, tb47,
+      tb47d, tb48, tb48d, tb49, tb49d, tb4d, tb5, tb50, tb50d, tb51, tb51d, tb52, tb52d, tb53,
+      tb53d, tb54, tb54d, tb55, tb55d, tb56, tb56d, tb57, tb57d, tb58, tb58d, tb59, tb59d, tb5d,
+      tb6, tb60, tb60d, tb61, tb61d, tb62, tb62d, tb63, tb63d, tb64, tb64d, tb65, tb65d, tb66,
+      tb66d, tb67, tb67d, tb68, tb68d, tb69, tb69d, tb6d, tb7, tb70, tb70d, tb71, tb71d, tb72,
+      tb72d, tb73, tb73d, tb74, tb74d, tb75, tb75d, tb76, tb76d, tb77, tb77d, tb78, tb78d, tb79,
+      tb79d, tb7d, tb8, tb80, tb80d, tb81, tb81d, tb82, tb82d, tb83, tb83d, tb84, tb84d, tb85,
+      tb85d, tb86, tb86d, tb87, tb87d, tb88, tb88d, tb89, tb89d, tb8d, tb9, tb90, tb90d, tb91,
+      tb91d, tb92, tb92d, tb93, tb93d, tb94, tb94d, tb95, tb95d, tb96, tb96d, tb97, tb97d, tb9d,
+      turn, turnb, turnbd, turnd, u0, u0b, u0bd, u0d, u1, u1b, u1bd, u1d, u2, u2_2, u2_2b, u2_2bd,
+      u2_2d, u2b, u2bd, u2d, u3, u3b, u3bd, u3d, ua0, ua0b, ua0bd, ua0d, ua1, ua1b, ua1bd, ua1d,
+      ua2, ua2b, ua2bd, ua2d, un0, un0b, un0bd, un0d, un1, un1b, un1bd, un1d, un2, un2b, un2bd,
+      un2d, v0, v0b, v0bd, v0d, v1, v1b, v1bd, v1d, v2, v2b, v2bd, v2d, vc0, vc0b, vc0bd, vc0d, vc1,
+      vc1b, vc1bd, vc1d, vc2, vc2b, vc2bd, vc2d, vr0, vr0b, vr0bd, vr0d, vr1, vr1b, vr1bd, vr1d,
+      vr2, vr2b, vr2bd, vr2d, w0, w0b, w0bd, w0d, w1, w1b, w1bd, w1d, w2, w2_2, w2_2b, w2_2bd,
+      w2_2d, w2b, w2bd, w2d, w3, w3b, w3bd, w3d, w4, w4b, w4bd, w4d, way, way2, wr0, wr0b, wr0bd,
+      wr0d, wr1, wr1b, wr1bd, wr1d, wr2, wr2b, wr2bd, wr2d, x, x2, x2b, x2bd, x2d, x3, x3b, x3bd,
+      x3d, x4, x4b, x4bd, x4d, xb, xbd, xd, y, y2, y2b, y2bd, y2d, yb, ybd, yd, z0, z0b, z0bd, z0d,
+      z2, z2_2, z2_2b, z2_2bd, z2_2d, z2_3, z2_3b, z2_3bd, z2_3d, z2b, z2bd, z2d, z3, z3_2, z3_2b,
+      z3_2bd, z3_2d, z3_3, z3_3b, z3_3bd, z3_3d, z3b, z3bd, z3d;
 
   for (i = t->nwheel - 1; i >= 0; --i) {
     adr = t->tyreadr[t->wheeltyre[i]];
@@ -5459,8 +5460,8 @@ void maggi_rolling_b_d(const maggi_topo *t, const double p[restrict t->np],
       based = radiusd - pd[t->roadadr[road] + MAGGI_BUMPS_HEIGHT];
       t5 = radius * radius - base * base;
       t5d = radiusd * radius + radius * radiusd - (based * base + base * based);
-      c3 = sqrt(t5);
-      c3d = 1.0 / (2.0 * c3) * t5d;
+      c2 = sqrt(t5);
+      c2d = 1.0 / (2.0 * c2) * t5d;
       f = 0.5 * p[t->roadadr[road] + MAGGI_BUMPS_FILLET];
       fd = 0.5 * pd[t->roadadr[road] + MAGGI_BUMPS_FILLET];
       if (MAGGI_RE(x3) > 0.0) {
@@ -5470,18 +5471,18 @@ void maggi_rolling_b_d(const maggi_topo *t, const double p[restrict t->np],
       }
       y = way * x3;
       yd = way * x3d;
-      if (MAGGI_RE(y) >= MAGGI_RE(c3 + f)) {
+      if (MAGGI_RE(y) >= MAGGI_RE(c2 + f)) {
         b20 = 0.0;
         b20d = 0.0;
-      } else if (MAGGI_RE(y) > MAGGI_RE(c3 - f)) {
-        t6 = radius * radius - (c3 - f) * (c3 - f);
-        t6d = radiusd * radius + radius * radiusd - ((c3d - fd) * (c3 - f) + (c3 - f) * (c3d - fd));
+      } else if (MAGGI_RE(y) > MAGGI_RE(c2 - f)) {
+        t6 = radius * radius - (c2 - f) * (c2 - f);
+        t6d = radiusd * radius + radius * radiusd - ((c2d - fd) * (c2 - f) + (c2 - f) * (c2d - fd));
         z2 = sqrt(t6);
         z2d = 1.0 / (2.0 * z2) * t6d;
         h0_2 = z2 - base;
         h0_2d = z2d - based;
-        h1_2 = 2.0 * f * (c3 - f) / z2;
-        h1_2d = (2.0 * fd * (c3 - f) + 2.0 * f * (c3d - fd) - h1_2 * z2d) * (1.0 / z2);
+        h1_2 = 2.0 * f * (c2 - f) / z2;
+        h1_2d = (2.0 * fd * (c2 - f) + 2.0 * f * (c2d - fd) - h1_2 * z2d) * (1.0 / z2);
         a = 3.0 * h0_2 - h1_2;
         ad = 3.0 * h0_2d - h1_2d;
         t7 = z2 * z2 * z2;
@@ -5493,8 +5494,8 @@ void maggi_rolling_b_d(const maggi_topo *t, const double p[restrict t->np],
         b3d = 6.0 * h0_2d - 3.0 * h1_2d - t8d;
         t9 = 2.0 * f;
         t9d = 2.0 * fd;
-        u2 = (c3 + f - y) / t9;
-        u2d = (c3d + fd - yd - u2 * t9d) * (1.0 / t9);
+        u2 = (c2 + f - y) / t9;
+        u2d = (c2d + fd - yd - u2 * t9d) * (1.0 / t9);
         w3 = 1.0 - u2;
         w3d = -u2d;
         b20 = u2 * u2 * u2 * (h0_2 + w3 * (a + w3 * b3));
@@ -5555,8 +5556,8 @@ void maggi_rolling_b_d(const maggi_topo *t, const double p[restrict t->np],
         h3_2d = p_roadk61d - p_roadk6d;
         a2 = p_roadk61 - x2;
         a2d = p_roadk61d - x2d;
-        c4 = x2 - p_roadk6;
-        c4d = x2d - p_roadk6d;
+        c3 = x2 - p_roadk6;
+        c3d = x2d - p_roadk6d;
         p4 = p[t->roadadr[road] + t->roadn[road] + k6];
         p4d = pd[t->roadadr[road] + t->roadn[road] + k6];
         t13 = (p[t->roadadr[road] + t->roadn[road] + k6 + 1] - p4) / h3_2;
@@ -5570,14 +5571,14 @@ void maggi_rolling_b_d(const maggi_topo *t, const double p[restrict t->np],
             (spline0_roadk610d - spline0_roadk60d));
         t14 = 6.0 * h3_2;
         t14d = 6.0 * h3_2d;
-        t15 = (spline0_roadk60 * a2 * a2 * a2 + spline0_roadk610 * c4 * c4 * c4) / t14;
+        t15 = (spline0_roadk60 * a2 * a2 * a2 + spline0_roadk610 * c3 * c3 * c3) / t14;
         t15d = (((spline0_roadk60d * a2 + spline0_roadk60 * a2d) * a2 + spline0_roadk60 * a2 * a2d)
-            * a2 + spline0_roadk60 * a2 * a2 * a2d + (((spline0_roadk610d * c4 + spline0_roadk610 *
-            c4d) * c4 + spline0_roadk610 * c4 * c4d) * c4 + spline0_roadk610 * c4 * c4 * c4d) - t15
+            * a2 + spline0_roadk60 * a2 * a2 * a2d + (((spline0_roadk610d * c3 + spline0_roadk610 *
+            c3d) * c3 + spline0_roadk610 * c3 * c3d) * c3 + spline0_roadk610 * c3 * c3 * c3d) - t15
             * t14d) * (1.0 / t14);
-        s20 = t15 + p4 - spline0_roadk60 * h3_2 * h3_2 / 6.0 + e * c4;
+        s20 = t15 + p4 - spline0_roadk60 * h3_2 * h3_2 / 6.0 + e * c3;
         s20d = t15d + p4d - ((spline0_roadk60d * h3_2 + spline0_roadk60 * h3_2d) * h3_2 +
-            spline0_roadk60 * h3_2 * h3_2d) / 6.0 + (ed * c4 + e * c4d);
+            spline0_roadk60 * h3_2 * h3_2d) / 6.0 + (ed * c3 + e * c3d);
       }
       h00 = s20;
       h00d = s20d;
@@ -5628,8 +5629,8 @@ void maggi_rolling_b_d(const maggi_topo *t, const double p[restrict t->np],
       base2d = radius2d - pd[t->roadadr[road] + MAGGI_BUMPS_HEIGHT];
       t22 = radius2 * radius2 - base2 * base2;
       t22d = radius2d * radius2 + radius2 * radius2d - (base2d * base2 + base2 * base2d);
-      c5 = sqrt(t22);
-      c5d = 1.0 / (2.0 * c5) * t22d;
+      c4 = sqrt(t22);
+      c4d = 1.0 / (2.0 * c4) * t22d;
       f2 = 0.5 * p[t->roadadr[road] + MAGGI_BUMPS_FILLET];
       f2d = 0.5 * pd[t->roadadr[road] + MAGGI_BUMPS_FILLET];
       if (MAGGI_RE(x4) > 0.0) {
@@ -5639,21 +5640,21 @@ void maggi_rolling_b_d(const maggi_topo *t, const double p[restrict t->np],
       }
       y2 = way2 * x4;
       y2d = way2 * x4d;
-      if (MAGGI_RE(y2) >= MAGGI_RE(c5 + f2)) {
+      if (MAGGI_RE(y2) >= MAGGI_RE(c4 + f2)) {
         b40 = 0.0;
         b40d = 0.0;
         b41 = 0.0;
         b41d = 0.0;
-      } else if (MAGGI_RE(y2) > MAGGI_RE(c5 - f2)) {
-        t23 = radius2 * radius2 - (c5 - f2) * (c5 - f2);
-        t23d = radius2d * radius2 + radius2 * radius2d - ((c5d - f2d) * (c5 - f2) + (c5 - f2) * (c5d
+      } else if (MAGGI_RE(y2) > MAGGI_RE(c4 - f2)) {
+        t23 = radius2 * radius2 - (c4 - f2) * (c4 - f2);
+        t23d = radius2d * radius2 + radius2 * radius2d - ((c4d - f2d) * (c4 - f2) + (c4 - f2) * (c4d
             - f2d));
         z3 = sqrt(t23);
         z3d = 1.0 / (2.0 * z3) * t23d;
         h0_3 = z3 - base2;
         h0_3d = z3d - base2d;
-        h1_3 = 2.0 * f2 * (c5 - f2) / z3;
-        h1_3d = (2.0 * f2d * (c5 - f2) + 2.0 * f2 * (c5d - f2d) - h1_3 * z3d) * (1.0 / z3);
+        h1_3 = 2.0 * f2 * (c4 - f2) / z3;
+        h1_3d = (2.0 * f2d * (c4 - f2) + 2.0 * f2 * (c4d - f2d) - h1_3 * z3d) * (1.0 / z3);
         a3 = 3.0 * h0_3 - h1_3;
         a3d = 3.0 * h0_3d - h1_3d;
         t24 = z3 * z3 * z3;
@@ -5665,8 +5666,8 @@ void maggi_rolling_b_d(const maggi_topo *t, const double p[restrict t->np],
         b5d = 6.0 * h0_3d - 3.0 * h1_3d - t25d;
         t26 = 2.0 * f2;
         t26d = 2.0 * f2d;
-        u3 = (c5 + f2 - y2) / t26;
-        u3d = (c5d + f2d - y2d - u3 * t26d) * (1.0 / t26);
+        u3 = (c4 + f2 - y2) / t26;
+        u3d = (c4d + f2d - y2d - u3 * t26d) * (1.0 / t26);
         w4 = 1.0 - u3;
         w4d = -u3d;
         b40 = u3 * u3 * u3 * (h0_3 + w4 * (a3 + w4 * b5));
@@ -5749,8 +5750,8 @@ void maggi_rolling_b_d(const maggi_topo *t, const double p[restrict t->np],
         h2_3d = p_roadk91d - p_roadk9d;
         a4 = p_roadk91 - x;
         a4d = p_roadk91d - xd;
-        c6 = x - p_roadk9;
-        c6d = xd - p_roadk9d;
+        c5 = x - p_roadk9;
+        c5d = xd - p_roadk9d;
         p7 = p[t->roadadr[road] + t->roadn[road] + k9];
         p7d = pd[t->roadadr[road] + t->roadn[road] + k9];
         t33 = (p[t->roadadr[road] + t->roadn[road] + k9 + 1] - p7) / h2_3;
@@ -5764,18 +5765,18 @@ void maggi_rolling_b_d(const maggi_topo *t, const double p[restrict t->np],
             (spline0_roadk910d - spline0_roadk90d));
         t34 = 6.0 * h2_3;
         t34d = 6.0 * h2_3d;
-        t35 = (spline0_roadk90 * a4 * a4 * a4 + spline0_roadk910 * c6 * c6 * c6) / t34;
+        t35 = (spline0_roadk90 * a4 * a4 * a4 + spline0_roadk910 * c5 * c5 * c5) / t34;
         t35d = (((spline0_roadk90d * a4 + spline0_roadk90 * a4d) * a4 + spline0_roadk90 * a4 * a4d)
-            * a4 + spline0_roadk90 * a4 * a4 * a4d + (((spline0_roadk910d * c6 + spline0_roadk910 *
-            c6d) * c6 + spline0_roadk910 * c6 * c6d) * c6 + spline0_roadk910 * c6 * c6 * c6d) - t35
+            * a4 + spline0_roadk90 * a4 * a4 * a4d + (((spline0_roadk910d * c5 + spline0_roadk910 *
+            c5d) * c5 + spline0_roadk910 * c5 * c5d) * c5 + spline0_roadk910 * c5 * c5 * c5d) - t35
             * t34d) * (1.0 / t34);
-        s30 = t35 + p7 - spline0_roadk90 * h2_3 * h2_3 / 6.0 + e2 * c6;
+        s30 = t35 + p7 - spline0_roadk90 * h2_3 * h2_3 / 6.0 + e2 * c5;
         s30d = t35d + p7d - ((spline0_roadk90d * h2_3 + spline0_roadk90 * h2_3d) * h2_3 +
-            spline0_roadk90 * h2_3 * h2_3d) / 6.0 + (e2d * c6 + e2 * c6d);
+            spline0_roadk90 * h2_3 * h2_3d) / 6.0 + (e2d * c5 + e2 * c5d);
         t36 = 2.0 * h2_3;
         t36d = 2.0 * h2_3d;
-        t37 = (spline0_roadk910 * c6 * c6 - spline0_roadk90 * a4 * a4) / t36;
-        t37d = ((spline0_roadk910d * c6 + spline0_roadk910 * c6d) * c6 + spline0_roadk910 * c6 * c6d
+        t37 = (spline0_roadk910 * c5 * c5 - spline0_roadk90 * a4 * a4) / t36;
+        t37d = ((spline0_roadk910d * c5 + spline0_roadk910 * c5d) * c5 + spline0_roadk910 * c5 * c5d
             - ((spline0_roadk90d * a4 + spline0_roadk90 * a4d) * a4 + spline0_roadk90 * a4 * a4d) -
             t37 * t36d) * (1.0 / t36);
         s31 = t37 + e2;
@@ -5797,8 +5798,8 @@ void maggi_rolling_b_d(const maggi_topo *t, const double p[restrict t->np],
     normal1 = 0.0;
     normal2 = 1.0 / s;
     normal2d = -(normal2 * sd * (1.0 / s));
-    c2 = u0 * normal0 + u1 * normal1 + u2_2 * normal2;
-    c2d = u0d * normal0 + u0 * normal0d + u1d * normal1 + (u2_2d * normal2 + u2_2 * normal2d);
+    c = u0 * normal0 + u1 * normal1 + u2_2 * normal2;
+    cd = u0d * normal0 + u0 * normal0d + u1d * normal1 + (u2_2d * normal2 + u2_2 * normal2d);
     un0 = u1 * normal2 - u2_2 * normal1;
     un0d = u1d * normal2 + u1 * normal2d - u2_2d * normal1;
     un1 = u2_2 * normal0 - u0 * normal2;
@@ -5818,20 +5819,20 @@ void maggi_rolling_b_d(const maggi_topo *t, const double p[restrict t->np],
     along1d = (un1d - along1 * w2d) * (1.0 / w2);
     along2 = un2 / w2;
     along2d = (un2d - along2 * w2d) * (1.0 / w2);
-    arm0 = r2 * (c2 * u0 - normal0) / w2;
-    arm0d = (r2d * (c2 * u0 - normal0) + r2 * (c2d * u0 + c2 * u0d - normal0d) - arm0 * w2d) * (1.0
-        / w2);
+    arm0 = r2 * (c * u0 - normal0) / w2;
+    arm0d = (r2d * (c * u0 - normal0) + r2 * (cd * u0 + c * u0d - normal0d) - arm0 * w2d) * (1.0 /
+        w2);
     T0 = along0;
     T0d = along0d;
     N0 = normal0;
     N0d = normal0d;
-    arm1 = r2 * (c2 * u1 - normal1) / w2;
-    arm1d = (r2d * (c2 * u1 - normal1) + r2 * (c2d * u1 + c2 * u1d) - arm1 * w2d) * (1.0 / w2);
+    arm1 = r2 * (c * u1 - normal1) / w2;
+    arm1d = (r2d * (c * u1 - normal1) + r2 * (cd * u1 + c * u1d) - arm1 * w2d) * (1.0 / w2);
     T1 = along1;
     T1d = along1d;
     N1 = normal1;
-    arm2 = r2 * (c2 * u2_2 - normal2) / w2;
-    arm2d = (r2d * (c2 * u2_2 - normal2) + r2 * (c2d * u2_2 + c2 * u2_2d - normal2d) - arm2 * w2d) *
+    arm2 = r2 * (c * u2_2 - normal2) / w2;
+    arm2d = (r2d * (c * u2_2 - normal2) + r2 * (cd * u2_2 + c * u2_2d - normal2d) - arm2 * w2d) *
         (1.0 / w2);
     T2 = along2;
     T2d = along2d;
@@ -5843,30 +5844,44 @@ void maggi_rolling_b_d(const maggi_topo *t, const double p[restrict t->np],
     z2_2d = w2d;
     z3_2 = h12;
     z3_2d = h12d;
-    c0 = r[t->wheelpoint[i]][0] + arm0;
-    c0d = rd[t->wheelpoint[i]][0] + arm0d;
-    c1 = r[t->wheelpoint[i]][1] + arm1;
-    c1d = rd[t->wheelpoint[i]][1] + arm1d;
-    c2_2 = r[t->wheelpoint[i]][2] + arm2;
-    c2_2d = rd[t->wheelpoint[i]][2] + arm2d;
-    wr0 = Z[carrier][3];
-    wr0d = Zd[carrier][3];
-    wr1 = Z[carrier][4];
-    wr1d = Zd[carrier][4];
-    wr2 = Z[carrier][5];
-    wr2d = Zd[carrier][5];
-    w0 = wr1 * c2_2 - wr2 * c1;
-    w0d = wr1d * c2_2 + wr1 * c2_2d - (wr2d * c1 + wr2 * c1d);
-    w1 = wr2 * c0 - wr0 * c2_2;
-    w1d = wr2d * c0 + wr2 * c0d - (wr0d * c2_2 + wr0 * c2_2d);
-    w2_2 = wr0 * c1 - wr1 * c0;
-    w2_2d = wr0d * c1 + wr0 * c1d - (wr1d * c0 + wr1 * c0d);
-    v0 = Z[carrier][0] + w0;
-    v0d = Zd[carrier][0] + w0d;
-    v1 = Z[carrier][1] + w1;
-    v1d = Zd[carrier][1] + w1d;
-    v2 = Z[carrier][2] + w2_2;
-    v2d = Zd[carrier][2] + w2_2d;
+    w0 = Z[carrier][3];
+    w0d = Zd[carrier][3];
+    w1 = Z[carrier][4];
+    w1d = Zd[carrier][4];
+    w2_2 = Z[carrier][5];
+    w2_2d = Zd[carrier][5];
+    turn = w0 * u0 + w1 * u1 + w2_2 * u2_2;
+    turnd = w0d * u0 + w0 * u0d + (w1d * u1 + w1 * u1d) + (w2_2d * u2_2 + w2_2 * u2_2d);
+    wr0 = w0 - turn * u0;
+    wr0d = w0d - (turnd * u0 + turn * u0d);
+    wr1 = w1 - turn * u1;
+    wr1d = w1d - (turnd * u1 + turn * u1d);
+    wr2 = w2_2 - turn * u2_2;
+    wr2d = w2_2d - (turnd * u2_2 + turn * u2_2d);
+    r_i2 = r[t->wheelpoint[i]][2];
+    r_i2d = rd[t->wheelpoint[i]][2];
+    r_i1 = r[t->wheelpoint[i]][1];
+    r_i1d = rd[t->wheelpoint[i]][1];
+    vc0 = w1 * r_i2 - w2_2 * r_i1;
+    vc0d = w1d * r_i2 + w1 * r_i2d - (w2_2d * r_i1 + w2_2 * r_i1d);
+    r_i0 = r[t->wheelpoint[i]][0];
+    r_i0d = rd[t->wheelpoint[i]][0];
+    vc1 = w2_2 * r_i0 - w0 * r_i2;
+    vc1d = w2_2d * r_i0 + w2_2 * r_i0d - (w0d * r_i2 + w0 * r_i2d);
+    vc2 = w0 * r_i1 - w1 * r_i0;
+    vc2d = w0d * r_i1 + w0 * r_i1d - (w1d * r_i0 + w1 * r_i0d);
+    vr0 = wr1 * arm2 - wr2 * arm1;
+    vr0d = wr1d * arm2 + wr1 * arm2d - (wr2d * arm1 + wr2 * arm1d);
+    vr1 = wr2 * arm0 - wr0 * arm2;
+    vr1d = wr2d * arm0 + wr2 * arm0d - (wr0d * arm2 + wr0 * arm2d);
+    vr2 = wr0 * arm1 - wr1 * arm0;
+    vr2d = wr0d * arm1 + wr0 * arm1d - (wr1d * arm0 + wr1 * arm0d);
+    v0 = Z[carrier][0] + vc0 + vr0;
+    v0d = Zd[carrier][0] + vc0d + vr0d;
+    v1 = Z[carrier][1] + vc1 + vr1;
+    v1d = Zd[carrier][1] + vc1d + vr1d;
+    v2 = Z[carrier][2] + vc2 + vr2;
+    v2d = Zd[carrier][2] + vc2d + vr2d;
     rhov = (z3_2 * v0 - (v0 * N0 + v1 * N1 + v2 * N2)) / z2_2;
     rhovd = (z3_2d * v0 + z3_2 * v0d - (v0d * N0 + v0 * N0d + v1d * N1 + (v2d * N2 + v2 * N2d)) -
         rhov * z2_2d) * (1.0 / z2_2);
@@ -5888,58 +5903,66 @@ void maggi_rolling_b_d(const maggi_topo *t, const double p[restrict t->np],
       t41d = pd[adr + MAGGI_TYRE_BREFF] * ratio + p[adr + MAGGI_TYRE_BREFF] * ratiod;
       t42 = atan(t41);
       t42d = 1.0 / (1.0 + t41 * t41) * t41d;
-      re = p[adr + MAGGI_TYRE_UNLOADED_RADIUS] - t40 * (p[adr + MAGGI_TYRE_DREFF] * t42 + p[adr +
+      re2 = p[adr + MAGGI_TYRE_UNLOADED_RADIUS] - t40 * (p[adr + MAGGI_TYRE_DREFF] * t42 + p[adr +
           MAGGI_TYRE_FREFF] * ratio);
-      red = pd[adr + MAGGI_TYRE_UNLOADED_RADIUS] - (t40d * (p[adr + MAGGI_TYRE_DREFF] * t42 + p[adr
+      re2d = pd[adr + MAGGI_TYRE_UNLOADED_RADIUS] - (t40d * (p[adr + MAGGI_TYRE_DREFF] * t42 + p[adr
           + MAGGI_TYRE_FREFF] * ratio) + t40 * (pd[adr + MAGGI_TYRE_DREFF] * t42 + p[adr +
           MAGGI_TYRE_DREFF] * t42d + (pd[adr + MAGGI_TYRE_FREFF] * ratio + p[adr + MAGGI_TYRE_FREFF]
           * ratiod)));
     } else {
-      re = p[adr + MAGGI_TYRE_UNLOADED_RADIUS];
-      red = pd[adr + MAGGI_TYRE_UNLOADED_RADIUS];
+      re2 = p[adr + MAGGI_TYRE_UNLOADED_RADIUS];
+      re2d = pd[adr + MAGGI_TYRE_UNLOADED_RADIUS];
     }
-    t43 = re * (b[body][3] * u0 + b[body][4] * u1 + b[body][5] * u2_2);
-    t43d = red * (b[body][3] * u0 + b[body][4] * u1 + b[body][5] * u2_2) + re * (bd[body][3] * u0 +
-        b[body][3] * u0d + (bd[body][4] * u1 + b[body][4] * u1d) + (bd[body][5] * u2_2 + b[body][5]
-        * u2_2d));
+    re = re2;
+    red = re2d;
+    t43 = (v0 * T0 + v1 * T1 + v2 * T2) / re;
+    t43d = (v0d * T0 + v0 * T0d + (v1d * T1 + v1 * T1d) + (v2d * T2 + v2 * T2d) - t43 * red) * (1.0
+        / re);
+    t44 = b[body][3] * u0 + b[body][4] * u1 + b[body][5] * u2_2;
+    t44d = bd[body][3] * u0 + b[body][3] * u0d + (bd[body][4] * u1 + b[body][4] * u1d) +
+        (bd[body][5] * u2_2 + b[body][5] * u2_2d);
     tb96 = spinb[i];
     tb96d = spinbd[i];
     spinb[i] = 0.0;
     spinbd[i] = 0.0;
-    tb97 = tb96 / t43;
-    tb97d = (tb96d - tb97 * t43d) * (1.0 / t43);
-    v0b = tb97 * T0;
-    v0bd = tb97d * T0 + tb97 * T0d;
-    T0b = tb97 * v0;
-    T0bd = tb97d * v0 + tb97 * v0d;
-    v1b = tb97 * T1;
-    v1bd = tb97d * T1 + tb97 * T1d;
-    T1b = tb97 * v1;
-    T1bd = tb97d * v1 + tb97 * v1d;
-    v2b = tb97 * T2;
-    v2bd = tb97d * T2 + tb97 * T2d;
-    T2b = tb97 * v2;
-    T2bd = tb97d * v2 + tb97 * v2d;
-    t43b = -(tb97 * spin[i]);
-    t43bd = -(tb97d * spin[i] + tb97 * spind[i]);
-    reb = t43b * (b[body][3] * u0 + b[body][4] * u1 + b[body][5] * u2_2);
-    rebd = t43bd * (b[body][3] * u0 + b[body][4] * u1 + b[body][5] * u2_2) + t43b * (bd[body][3] *
-        u0 + b[body][3] * u0d + (bd[body][4] * u1 + b[body][4] * u1d) + (bd[body][5] * u2_2 +
-        b[body][5] * u2_2d));
-    tb95 = t43b * re;
-    tb95d = t43bd * re + t43b * red;
-    bb[body][3] += tb95 * u0;
-    bbd[body][3] += tb95d * u0 + tb95 * u0d;
-    u0b = tb95 * b[body][3];
-    u0bd = tb95d * b[body][3] + tb95 * bd[body][3];
-    bb[body][4] += tb95 * u1;
-    bbd[body][4] += tb95d * u1 + tb95 * u1d;
-    u1b = tb95 * b[body][4];
-    u1bd = tb95d * b[body][4] + tb95 * bd[body][4];
-    bb[body][5] += tb95 * u2_2;
-    bbd[body][5] += tb95d * u2_2 + tb95 * u2_2d;
-    u2_2b = tb95 * b[body][5];
-    u2_2bd = tb95d * b[body][5] + tb95 * bd[body][5];
+    tb97 = tb96 / t44;
+    tb97d = (tb96d - tb97 * t44d) * (1.0 / t44);
+    t43b = tb97;
+    t43bd = tb97d;
+    turnb = -tb97;
+    turnbd = -tb97d;
+    t44b = -(tb97 * spin[i]);
+    t44bd = -(tb97d * spin[i] + tb97 * spind[i]);
+    bb[body][3] += t44b * u0;
+    bbd[body][3] += t44bd * u0 + t44b * u0d;
+    u0b = t44b * b[body][3];
+    u0bd = t44bd * b[body][3] + t44b * bd[body][3];
+    bb[body][4] += t44b * u1;
+    bbd[body][4] += t44bd * u1 + t44b * u1d;
+    u1b = t44b * b[body][4];
+    u1bd = t44bd * b[body][4] + t44b * bd[body][4];
+    bb[body][5] += t44b * u2_2;
+    bbd[body][5] += t44bd * u2_2 + t44b * u2_2d;
+    u2_2b = t44b * b[body][5];
+    u2_2bd = t44bd * b[body][5] + t44b * bd[body][5];
+    tb95 = t43b / re;
+    tb95d = (t43bd - tb95 * red) * (1.0 / re);
+    v0b = tb95 * T0;
+    v0bd = tb95d * T0 + tb95 * T0d;
+    T0b = tb95 * v0;
+    T0bd = tb95d * v0 + tb95 * v0d;
+    v1b = tb95 * T1;
+    v1bd = tb95d * T1 + tb95 * T1d;
+    T1b = tb95 * v1;
+    T1bd = tb95d * v1 + tb95 * v1d;
+    v2b = tb95 * T2;
+    v2bd = tb95d * T2 + tb95 * T2d;
+    T2b = tb95 * v2;
+    T2bd = tb95d * v2 + tb95 * v2d;
+    reb = -(tb95 * t43);
+    rebd = -(tb95d * t43 + tb95 * t43d);
+    re2b = reb;
+    re2bd = rebd;
     fz0b = 0.0;
     fz0bd = 0.0;
     fzb = 0.0;
@@ -5954,14 +5977,14 @@ void maggi_rolling_b_d(const maggi_topo *t, const double p[restrict t->np],
       t41d = pd[adr + MAGGI_TYRE_BREFF] * ratio + p[adr + MAGGI_TYRE_BREFF] * ratiod;
       t42 = atan(t41);
       t42d = 1.0 / (1.0 + t41 * t41) * t41d;
-      pb[adr + MAGGI_TYRE_UNLOADED_RADIUS] += reb;
-      pbd[adr + MAGGI_TYRE_UNLOADED_RADIUS] += rebd;
-      t40b = -(reb * (p[adr + MAGGI_TYRE_DREFF] * t42 + p[adr + MAGGI_TYRE_FREFF] * ratio));
-      t40bd = -(rebd * (p[adr + MAGGI_TYRE_DREFF] * t42 + p[adr + MAGGI_TYRE_FREFF] * ratio) + reb *
-          (pd[adr + MAGGI_TYRE_DREFF] * t42 + p[adr + MAGGI_TYRE_DREFF] * t42d + (pd[adr +
+      pb[adr + MAGGI_TYRE_UNLOADED_RADIUS] += re2b;
+      pbd[adr + MAGGI_TYRE_UNLOADED_RADIUS] += re2bd;
+      t40b = -(re2b * (p[adr + MAGGI_TYRE_DREFF] * t42 + p[adr + MAGGI_TYRE_FREFF] * ratio));
+      t40bd = -(re2bd * (p[adr + MAGGI_TYRE_DREFF] * t42 + p[adr + MAGGI_TYRE_FREFF] * ratio) + re2b
+          * (pd[adr + MAGGI_TYRE_DREFF] * t42 + p[adr + MAGGI_TYRE_DREFF] * t42d + (pd[adr +
           MAGGI_TYRE_FREFF] * ratio + p[adr + MAGGI_TYRE_FREFF] * ratiod)));
-      tb94 = reb * t40;
-      tb94d = rebd * t40 + reb * t40d;
+      tb94 = re2b * t40;
+      tb94d = re2bd * t40 + re2b * t40d;
       pb[adr + MAGGI_TYRE_DREFF] -= tb94 * t42;
       pbd[adr + MAGGI_TYRE_DREFF] -= tb94d * t42 + tb94 * t42d;
       t42b = -(tb94 * p[adr + MAGGI_TYRE_DREFF]);
@@ -5970,8 +5993,8 @@ void maggi_rolling_b_d(const maggi_topo *t, const double p[restrict t->np],
       pbd[adr + MAGGI_TYRE_FREFF] -= tb94d * ratio + tb94 * ratiod;
       ratiob = -(tb94 * p[adr + MAGGI_TYRE_FREFF]);
       ratiobd = -(tb94d * p[adr + MAGGI_TYRE_FREFF] + tb94 * pd[adr + MAGGI_TYRE_FREFF]);
-      reb = 0.0;
-      rebd = 0.0;
+      re2b = 0.0;
+      re2bd = 0.0;
       t41b = t42b * (1.0 / (1.0 + t41 * t41));
       t41bd = t42bd * (1.0 / (1.0 + t41 * t41)) - t42b * (1.0 / (1.0 + t41 * t41) * (t41d * t41 +
           t41 * t41d) / (1.0 + t41 * t41));
@@ -5993,10 +6016,10 @@ void maggi_rolling_b_d(const maggi_topo *t, const double p[restrict t->np],
       fz0b -= tb92 * ratio;
       fz0bd -= tb92d * ratio + tb92 * ratiod;
     } else {
-      pb[adr + MAGGI_TYRE_UNLOADED_RADIUS] += reb;
-      pbd[adr + MAGGI_TYRE_UNLOADED_RADIUS] += rebd;
-      reb = 0.0;
-      rebd = 0.0;
+      pb[adr + MAGGI_TYRE_UNLOADED_RADIUS] += re2b;
+      pbd[adr + MAGGI_TYRE_UNLOADED_RADIUS] += re2bd;
+      re2b = 0.0;
+      re2bd = 0.0;
     }
     pb[adr + MAGGI_TYRE_LFZO] += fz0b * p[adr];
     /* Re = R0 - rho0 (D atan(B rd) + F rd),  rd = Fz / Fz0,  rho0 = Fz0 / Cz;  R0 in the air */
@@ -6038,58 +6061,112 @@ void maggi_rolling_b_d(const maggi_topo *t, const double p[restrict t->np],
     z2_2bd = -(tb90d * rhov + tb90 * rhovd);
     Zb[carrier][2] += v2b;
     Zbd[carrier][2] += v2bd;
-    w2_2b = v2b;
-    w2_2bd = v2bd;
+    vc2b = v2b;
+    vc2bd = v2bd;
+    vr2b = v2b;
+    vr2bd = v2bd;
     Zb[carrier][1] += v1b;
     Zbd[carrier][1] += v1bd;
-    w1b = v1b;
-    w1bd = v1bd;
+    vc1b = v1b;
+    vc1bd = v1bd;
+    vr1b = v1b;
+    vr1bd = v1bd;
     Zb[carrier][0] += v0b;
     Zbd[carrier][0] += v0bd;
-    w0b = v0b;
-    w0bd = v0bd;
-    wr0b = w2_2b * c1;
-    wr0bd = w2_2bd * c1 + w2_2b * c1d;
-    c1b = w2_2b * wr0;
-    c1bd = w2_2bd * wr0 + w2_2b * wr0d;
-    wr1b = -(w2_2b * c0);
-    wr1bd = -(w2_2bd * c0 + w2_2b * c0d);
-    c0b = -(w2_2b * wr1);
-    c0bd = -(w2_2bd * wr1 + w2_2b * wr1d);
-    wr2b = w1b * c0;
-    wr2bd = w1bd * c0 + w1b * c0d;
-    c0b += w1b * wr2;
-    c0bd += w1bd * wr2 + w1b * wr2d;
-    wr0b -= w1b * c2_2;
-    wr0bd -= w1bd * c2_2 + w1b * c2_2d;
-    c2_2b = -(w1b * wr0);
-    c2_2bd = -(w1bd * wr0 + w1b * wr0d);
-    wr1b += w0b * c2_2;
-    wr1bd += w0bd * c2_2 + w0b * c2_2d;
-    c2_2b += w0b * wr1;
-    c2_2bd += w0bd * wr1 + w0b * wr1d;
-    wr2b -= w0b * c1;
-    wr2bd -= w0bd * c1 + w0b * c1d;
-    c1b -= w0b * wr2;
-    c1bd -= w0bd * wr2 + w0b * wr2d;
-    Zb[carrier][5] += wr2b;
-    Zbd[carrier][5] += wr2bd;
-    Zb[carrier][4] += wr1b;
-    Zbd[carrier][4] += wr1bd;
-    Zb[carrier][3] += wr0b;
-    Zbd[carrier][3] += wr0bd;
-    rb[t->wheelpoint[i]][2] += c2_2b;
-    rbd[t->wheelpoint[i]][2] += c2_2bd;
-    arm2b = c2_2b;
-    arm2bd = c2_2bd;
-    rb[t->wheelpoint[i]][1] += c1b;
-    rbd[t->wheelpoint[i]][1] += c1bd;
-    arm1b = c1b;
-    arm1bd = c1bd;
-    rb[t->wheelpoint[i]][0] += c0b;
-    rbd[t->wheelpoint[i]][0] += c0bd;
-    arm0b = c0b;
-    arm0bd = c0bd;
+    vc0b = v0b;
+    vc0bd = v0bd;
+    vr0b = v0b;
+    vr0bd = v0bd;
+    wr0b = vr2b * arm1;
+    wr0bd = vr2bd * arm1 + vr2b * arm1d;
+    arm1b = vr2b * wr0;
+    arm1bd = vr2bd * wr0 + vr2b * wr0d;
+    wr1b = -(vr2b * arm0);
+    wr1bd = -(vr2bd * arm0 + vr2b * arm0d);
+    arm0b = -(vr2b * wr1);
+    arm0bd = -(vr2bd * wr1 + vr2b * wr1d);
+    wr2b = vr1b * arm0;
+    wr2bd = vr1bd * arm0 + vr1b * arm0d;
+    arm0b += vr1b * wr2;
+    arm0bd += vr1bd * wr2 + vr1b * wr2d;
+    wr0b -= vr1b * arm2;
+    wr0bd -= vr1bd * arm2 + vr1b * arm2d;
+    arm2b = -(vr1b * wr0);
+    arm2bd = -(vr1bd * wr0 + vr1b * wr0d);
+    wr1b += vr0b * arm2;
+    wr1bd += vr0bd * arm2 + vr0b * arm2d;
+    arm2b += vr0b * wr1;
+    arm2bd += vr0bd * wr1 + vr0b * wr1d;
+    wr2b -= vr0b * arm1;
+    wr2bd -= vr0bd * arm1 + vr0b * arm1d;
+    arm1b -= vr0b * wr2;
+    arm1bd -= vr0bd * wr2 + vr0b * wr2d;
+    w0b = vc2b * r_i1;
+    w0bd = vc2bd * r_i1 + vc2b * r_i1d;
+    r_i1b = vc2b * w0;
+    r_i1bd = vc2bd * w0 + vc2b * w0d;
+    w1b = -(vc2b * r_i0);
+    w1bd = -(vc2bd * r_i0 + vc2b * r_i0d);
+    r_i0b = -(vc2b * w1);
+    r_i0bd = -(vc2bd * w1 + vc2b * w1d);
+    w2_2b = vc1b * r_i0;
+    w2_2bd = vc1bd * r_i0 + vc1b * r_i0d;
+    r_i0b += vc1b * w2_2;
+    r_i0bd += vc1bd * w2_2 + vc1b * w2_2d;
+    w0b -= vc1b * r_i2;
+    w0bd -= vc1bd * r_i2 + vc1b * r_i2d;
+    r_i2b = -(vc1b * w0);
+    r_i2bd = -(vc1bd * w0 + vc1b * w0d);
+    rb[t->wheelpoint[i]][0] += r_i0b;
+    rbd[t->wheelpoint[i]][0] += r_i0bd;
+    w1b += vc0b * r_i2;
+    w1bd += vc0bd * r_i2 + vc0b * r_i2d;
+    r_i2b += vc0b * w1;
+    r_i2bd += vc0bd * w1 + vc0b * w1d;
+    w2_2b -= vc0b * r_i1;
+    w2_2bd -= vc0bd * r_i1 + vc0b * r_i1d;
+    r_i1b -= vc0b * w2_2;
+    r_i1bd -= vc0bd * w2_2 + vc0b * w2_2d;
+    rb[t->wheelpoint[i]][1] += r_i1b;
+    rbd[t->wheelpoint[i]][1] += r_i1bd;
+    rb[t->wheelpoint[i]][2] += r_i2b;
+    rbd[t->wheelpoint[i]][2] += r_i2bd;
+    w2_2b += wr2b;
+    w2_2bd += wr2bd;
+    turnb -= wr2b * u2_2;
+    turnbd -= wr2bd * u2_2 + wr2b * u2_2d;
+    u2_2b -= wr2b * turn;
+    u2_2bd -= wr2bd * turn + wr2b * turnd;
+    w1b += wr1b;
+    w1bd += wr1bd;
+    turnb -= wr1b * u1;
+    turnbd -= wr1bd * u1 + wr1b * u1d;
+    u1b -= wr1b * turn;
+    u1bd -= wr1bd * turn + wr1b * turnd;
+    w0b += wr0b;
+    w0bd += wr0bd;
+    turnb -= wr0b * u0;
+    turnbd -= wr0bd * u0 + wr0b * u0d;
+    u0b -= wr0b * turn;
+    u0bd -= wr0bd * turn + wr0b * turnd;
+    w0b += turnb * u0;
+    w0bd += turnbd * u0 + turnb * u0d;
+    u0b += turnb * w0;
+    u0bd += turnbd * w0 + turnb * w0d;
+    w1b += turnb * u1;
+    w1bd += turnbd * u1 + turnb * u1d;
+    u1b += turnb * w1;
+    u1bd += turnbd * w1 + turnb * w1d;
+    w2_2b += turnb * u2_2;
+    w2_2bd += turnbd * u2_2 + turnb * u2_2d;
+    u2_2b += turnb * w2_2;
+    u2_2bd += turnbd * w2_2 + turnb * w2_2d;
+    Zb[carrier][5] += w2_2b;
+    Zbd[carrier][5] += w2_2bd;
+    Zb[carrier][4] += w1b;
+    Zbd[carrier][4] += w1bd;
+    Zb[carrier][3] += w0b;
+    Zbd[carrier][3] += w0bd;
     h12b = z3_2b;
     h12bd = z3_2bd;
     w2b = z2_2b;
@@ -6102,14 +6179,14 @@ void maggi_rolling_b_d(const maggi_topo *t, const double p[restrict t->np],
     along2bd = T2bd;
     tb88 = arm2b / w2;
     tb88d = (arm2bd - tb88 * w2d) * (1.0 / w2);
-    r2b += tb88 * (c2 * u2_2 - normal2);
-    r2bd += tb88d * (c2 * u2_2 - normal2) + tb88 * (c2d * u2_2 + c2 * u2_2d - normal2d);
+    r2b += tb88 * (c * u2_2 - normal2);
+    r2bd += tb88d * (c * u2_2 - normal2) + tb88 * (cd * u2_2 + c * u2_2d - normal2d);
     tb89 = tb88 * r2;
     tb89d = tb88d * r2 + tb88 * r2d;
-    c2b = tb89 * u2_2;
-    c2bd = tb89d * u2_2 + tb89 * u2_2d;
-    u2_2b += tb89 * c2;
-    u2_2bd += tb89d * c2 + tb89 * c2d;
+    cb = tb89 * u2_2;
+    cbd = tb89d * u2_2 + tb89 * u2_2d;
+    u2_2b += tb89 * c;
+    u2_2bd += tb89d * c + tb89 * cd;
     normal2b -= tb89;
     normal2bd -= tb89d;
     w2b -= tb88 * arm2;
@@ -6118,14 +6195,14 @@ void maggi_rolling_b_d(const maggi_topo *t, const double p[restrict t->np],
     along1bd = T1bd;
     tb86 = arm1b / w2;
     tb86d = (arm1bd - tb86 * w2d) * (1.0 / w2);
-    r2b += tb86 * (c2 * u1 - normal1);
-    r2bd += tb86d * (c2 * u1 - normal1) + tb86 * (c2d * u1 + c2 * u1d);
+    r2b += tb86 * (c * u1 - normal1);
+    r2bd += tb86d * (c * u1 - normal1) + tb86 * (cd * u1 + c * u1d);
     tb87 = tb86 * r2;
     tb87d = tb86d * r2 + tb86 * r2d;
-    c2b += tb87 * u1;
-    c2bd += tb87d * u1 + tb87 * u1d;
-    u1b += tb87 * c2;
-    u1bd += tb87d * c2 + tb87 * c2d;
+    cb += tb87 * u1;
+    cbd += tb87d * u1 + tb87 * u1d;
+    u1b += tb87 * c;
+    u1bd += tb87d * c + tb87 * cd;
     w2b -= tb86 * arm1;
     w2bd -= tb86d * arm1 + tb86 * arm1d;
     normal0b = N0b;
@@ -6134,14 +6211,14 @@ void maggi_rolling_b_d(const maggi_topo *t, const double p[restrict t->np],
     along0bd = T0bd;
     tb84 = arm0b / w2;
     tb84d = (arm0bd - tb84 * w2d) * (1.0 / w2);
-    r2b += tb84 * (c2 * u0 - normal0);
-    r2bd += tb84d * (c2 * u0 - normal0) + tb84 * (c2d * u0 + c2 * u0d - normal0d);
+    r2b += tb84 * (c * u0 - normal0);
+    r2bd += tb84d * (c * u0 - normal0) + tb84 * (cd * u0 + c * u0d - normal0d);
     tb85 = tb84 * r2;
     tb85d = tb84d * r2 + tb84 * r2d;
-    c2b += tb85 * u0;
-    c2bd += tb85d * u0 + tb85 * u0d;
-    u0b += tb85 * c2;
-    u0bd += tb85d * c2 + tb85 * c2d;
+    cb += tb85 * u0;
+    cbd += tb85d * u0 + tb85 * u0d;
+    u0b += tb85 * c;
+    u0bd += tb85d * c + tb85 * cd;
     normal0b -= tb85;
     normal0bd -= tb85d;
     w2b -= tb84 * arm0;
@@ -6218,16 +6295,16 @@ void maggi_rolling_b_d(const maggi_topo *t, const double p[restrict t->np],
     normal2bd += un0bd * u1 + un0b * u1d;
     u2_2b -= un0b * normal1;
     u2_2bd -= un0bd * normal1;
-    u0b += c2b * normal0;
-    u0bd += c2bd * normal0 + c2b * normal0d;
-    normal0b += c2b * u0;
-    normal0bd += c2bd * u0 + c2b * u0d;
-    u1b += c2b * normal1;
-    u1bd += c2bd * normal1;
-    u2_2b += c2b * normal2;
-    u2_2bd += c2bd * normal2 + c2b * normal2d;
-    normal2b += c2b * u2_2;
-    normal2bd += c2bd * u2_2 + c2b * u2_2d;
+    u0b += cb * normal0;
+    u0bd += cbd * normal0 + cb * normal0d;
+    normal0b += cb * u0;
+    normal0bd += cbd * u0 + cb * u0d;
+    u1b += cb * normal1;
+    u1bd += cbd * normal1;
+    u2_2b += cb * normal2;
+    u2_2bd += cbd * normal2 + cb * normal2d;
+    normal2b += cb * u2_2;
+    normal2bd += cbd * u2_2 + cb * u2_2d;
     tb77 = normal2b / s;
     tb77d = (normal2bd - tb77 * sd) * (1.0 / s);
     sb = -(tb77 * normal2);
@@ -6322,8 +6399,8 @@ void maggi_rolling_b_d(const maggi_topo *t, const double p[restrict t->np],
       base2d = radius2d - pd[t->roadadr[road] + MAGGI_BUMPS_HEIGHT];
       t22 = radius2 * radius2 - base2 * base2;
       t22d = radius2d * radius2 + radius2 * radius2d - (base2d * base2 + base2 * base2d);
-      c5 = sqrt(t22);
-      c5d = 1.0 / (2.0 * c5) * t22d;
+      c4 = sqrt(t22);
+      c4d = 1.0 / (2.0 * c4) * t22d;
       f2 = 0.5 * p[t->roadadr[road] + MAGGI_BUMPS_FILLET];
       f2d = 0.5 * pd[t->roadadr[road] + MAGGI_BUMPS_FILLET];
       if (MAGGI_RE(x4) > 0.0) {
@@ -6345,8 +6422,8 @@ void maggi_rolling_b_d(const maggi_topo *t, const double p[restrict t->np],
       h10bd = 0.0;
       base2b = 0.0;
       base2bd = 0.0;
-      c5b = 0.0;
-      c5bd = 0.0;
+      c4b = 0.0;
+      c4bd = 0.0;
       f2b = 0.0;
       f2bd = 0.0;
       radius2b = 0.0;
@@ -6355,21 +6432,21 @@ void maggi_rolling_b_d(const maggi_topo *t, const double p[restrict t->np],
       x4bd = 0.0;
       y2b = 0.0;
       y2bd = 0.0;
-      if (MAGGI_RE(y2) >= MAGGI_RE(c5 + f2)) {
+      if (MAGGI_RE(y2) >= MAGGI_RE(c4 + f2)) {
         b41b = 0.0;
         b41bd = 0.0;
         b40b = 0.0;
         b40bd = 0.0;
-      } else if (MAGGI_RE(y2) > MAGGI_RE(c5 - f2)) {
-        t23 = radius2 * radius2 - (c5 - f2) * (c5 - f2);
-        t23d = radius2d * radius2 + radius2 * radius2d - ((c5d - f2d) * (c5 - f2) + (c5 - f2) * (c5d
+      } else if (MAGGI_RE(y2) > MAGGI_RE(c4 - f2)) {
+        t23 = radius2 * radius2 - (c4 - f2) * (c4 - f2);
+        t23d = radius2d * radius2 + radius2 * radius2d - ((c4d - f2d) * (c4 - f2) + (c4 - f2) * (c4d
             - f2d));
         z3 = sqrt(t23);
         z3d = 1.0 / (2.0 * z3) * t23d;
         h0_3 = z3 - base2;
         h0_3d = z3d - base2d;
-        h1_3 = 2.0 * f2 * (c5 - f2) / z3;
-        h1_3d = (2.0 * f2d * (c5 - f2) + 2.0 * f2 * (c5d - f2d) - h1_3 * z3d) * (1.0 / z3);
+        h1_3 = 2.0 * f2 * (c4 - f2) / z3;
+        h1_3d = (2.0 * f2d * (c4 - f2) + 2.0 * f2 * (c4d - f2d) - h1_3 * z3d) * (1.0 / z3);
         a3 = 3.0 * h0_3 - h1_3;
         a3d = 3.0 * h0_3d - h1_3d;
         t24 = z3 * z3 * z3;
@@ -6381,8 +6458,8 @@ void maggi_rolling_b_d(const maggi_topo *t, const double p[restrict t->np],
         b5d = 6.0 * h0_3d - 3.0 * h1_3d - t25d;
         t26 = 2.0 * f2;
         t26d = 2.0 * f2d;
-        u3 = (c5 + f2 - y2) / t26;
-        u3d = (c5d + f2d - y2d - u3 * t26d) * (1.0 / t26);
+        u3 = (c4 + f2 - y2) / t26;
+        u3d = (c4d + f2d - y2d - u3 * t26d) * (1.0 / t26);
         w4 = 1.0 - u3;
         w4d = -u3d;
         t27 = 2.0 * f2;
@@ -6468,8 +6545,8 @@ void maggi_rolling_b_d(const maggi_topo *t, const double p[restrict t->np],
         u3bd -= w4bd;
         tb46 = u3b / t26;
         tb46d = (u3bd - tb46 * t26d) * (1.0 / t26);
-        c5b += tb46;
-        c5bd += tb46d;
+        c4b += tb46;
+        c4bd += tb46d;
         f2b += tb46;
         f2bd += tb46d;
         y2b -= tb46;
@@ -6515,12 +6592,12 @@ void maggi_rolling_b_d(const maggi_topo *t, const double p[restrict t->np],
         h1_3bd -= a3bd;
         tb40 = h1_3b / z3;
         tb40d = (h1_3bd - tb40 * z3d) * (1.0 / z3);
-        f2b += tb40 * (c5 - f2) * 2.0;
-        f2bd += (tb40d * (c5 - f2) + tb40 * (c5d - f2d)) * 2.0;
+        f2b += tb40 * (c4 - f2) * 2.0;
+        f2bd += (tb40d * (c4 - f2) + tb40 * (c4d - f2d)) * 2.0;
         tb41 = tb40 * (2.0 * f2);
         tb41d = tb40d * (2.0 * f2) + tb40 * (2.0 * f2d);
-        c5b += tb41;
-        c5bd += tb41d;
+        c4b += tb41;
+        c4bd += tb41d;
         f2b -= tb41;
         f2bd -= tb41d;
         z3b -= tb40 * h1_3;
@@ -6535,16 +6612,16 @@ void maggi_rolling_b_d(const maggi_topo *t, const double p[restrict t->np],
         radius2bd += t23bd * radius2 + t23b * radius2d;
         radius2b += t23b * radius2;
         radius2bd += t23bd * radius2 + t23b * radius2d;
-        tb38 = t23b * (c5 - f2);
-        tb38d = t23bd * (c5 - f2) + t23b * (c5d - f2d);
-        c5b -= tb38;
-        c5bd -= tb38d;
+        tb38 = t23b * (c4 - f2);
+        tb38d = t23bd * (c4 - f2) + t23b * (c4d - f2d);
+        c4b -= tb38;
+        c4bd -= tb38d;
         f2b += tb38;
         f2bd += tb38d;
-        tb39 = t23b * (c5 - f2);
-        tb39d = t23bd * (c5 - f2) + t23b * (c5d - f2d);
-        c5b -= tb39;
-        c5bd -= tb39d;
+        tb39 = t23b * (c4 - f2);
+        tb39d = t23bd * (c4 - f2) + t23b * (c4d - f2d);
+        c4b -= tb39;
+        c4bd -= tb39d;
         f2b += tb39;
         f2bd += tb39d;
       } else {
@@ -6586,8 +6663,8 @@ void maggi_rolling_b_d(const maggi_topo *t, const double p[restrict t->np],
       x4bd += y2bd * way2;
       pb[t->roadadr[road] + MAGGI_BUMPS_FILLET] += f2b * 0.5;
       pbd[t->roadadr[road] + MAGGI_BUMPS_FILLET] += f2bd * 0.5;
-      t22b = c5b * (1.0 / (2.0 * c5));
-      t22bd = c5bd * (1.0 / (2.0 * c5)) - c5b * (1.0 / (2.0 * c5) * (2.0 * c5d) / (2.0 * c5));
+      t22b = c4b * (1.0 / (2.0 * c4));
+      t22bd = c4bd * (1.0 / (2.0 * c4)) - c4b * (1.0 / (2.0 * c4) * (2.0 * c4d) / (2.0 * c4));
       radius2b += t22b * radius2;
       radius2bd += t22bd * radius2 + t22b * radius2d;
       radius2b += t22b * radius2;
@@ -6753,8 +6830,8 @@ void maggi_rolling_b_d(const maggi_topo *t, const double p[restrict t->np],
         h2_3d = p_roadk91d - p_roadk9d;
         a4 = p_roadk91 - x;
         a4d = p_roadk91d - xd;
-        c6 = x - p_roadk9;
-        c6d = xd - p_roadk9d;
+        c5 = x - p_roadk9;
+        c5d = xd - p_roadk9d;
         p7 = p[t->roadadr[road] + t->roadn[road] + k9];
         p7d = pd[t->roadadr[road] + t->roadn[road] + k9];
         t33 = (p[t->roadadr[road] + t->roadn[road] + k9 + 1] - p7) / h2_3;
@@ -6768,15 +6845,15 @@ void maggi_rolling_b_d(const maggi_topo *t, const double p[restrict t->np],
             (spline0_roadk910d - spline0_roadk90d));
         t34 = 6.0 * h2_3;
         t34d = 6.0 * h2_3d;
-        t35 = (spline0_roadk90 * a4 * a4 * a4 + spline0_roadk910 * c6 * c6 * c6) / t34;
+        t35 = (spline0_roadk90 * a4 * a4 * a4 + spline0_roadk910 * c5 * c5 * c5) / t34;
         t35d = (((spline0_roadk90d * a4 + spline0_roadk90 * a4d) * a4 + spline0_roadk90 * a4 * a4d)
-            * a4 + spline0_roadk90 * a4 * a4 * a4d + (((spline0_roadk910d * c6 + spline0_roadk910 *
-            c6d) * c6 + spline0_roadk910 * c6 * c6d) * c6 + spline0_roadk910 * c6 * c6 * c6d) - t35
+            * a4 + spline0_roadk90 * a4 * a4 * a4d + (((spline0_roadk910d * c5 + spline0_roadk910 *
+            c5d) * c5 + spline0_roadk910 * c5 * c5d) * c5 + spline0_roadk910 * c5 * c5 * c5d) - t35
             * t34d) * (1.0 / t34);
         t36 = 2.0 * h2_3;
         t36d = 2.0 * h2_3d;
-        t37 = (spline0_roadk910 * c6 * c6 - spline0_roadk90 * a4 * a4) / t36;
-        t37d = ((spline0_roadk910d * c6 + spline0_roadk910 * c6d) * c6 + spline0_roadk910 * c6 * c6d
+        t37 = (spline0_roadk910 * c5 * c5 - spline0_roadk90 * a4 * a4) / t36;
+        t37d = ((spline0_roadk910d * c5 + spline0_roadk910 * c5d) * c5 + spline0_roadk910 * c5 * c5d
             - ((spline0_roadk90d * a4 + spline0_roadk90 * a4d) * a4 + spline0_roadk90 * a4 * a4d) -
             t37 * t36d) * (1.0 / t36);
         t37b = s31b;
@@ -6787,15 +6864,15 @@ void maggi_rolling_b_d(const maggi_topo *t, const double p[restrict t->np],
         s31bd = 0.0;
         tb73 = t37b / t36;
         tb73d = (t37bd - tb73 * t36d) * (1.0 / t36);
-        tb74 = tb73 * c6;
-        tb74d = tb73d * c6 + tb73 * c6d;
-        spline0_roadk910b = tb74 * c6;
-        spline0_roadk910bd = tb74d * c6 + tb74 * c6d;
-        c6b = tb74 * spline0_roadk910;
-        c6bd = tb74d * spline0_roadk910 + tb74 * spline0_roadk910d;
-        c6b += tb73 * (spline0_roadk910 * c6);
-        c6bd += tb73d * (spline0_roadk910 * c6) + tb73 * (spline0_roadk910d * c6 + spline0_roadk910
-            * c6d);
+        tb74 = tb73 * c5;
+        tb74d = tb73d * c5 + tb73 * c5d;
+        spline0_roadk910b = tb74 * c5;
+        spline0_roadk910bd = tb74d * c5 + tb74 * c5d;
+        c5b = tb74 * spline0_roadk910;
+        c5bd = tb74d * spline0_roadk910 + tb74 * spline0_roadk910d;
+        c5b += tb73 * (spline0_roadk910 * c5);
+        c5bd += tb73d * (spline0_roadk910 * c5) + tb73 * (spline0_roadk910d * c5 + spline0_roadk910
+            * c5d);
         tb75 = tb73 * a4;
         tb75d = tb73d * a4 + tb73 * a4d;
         spline0_roadk90b = -(tb75 * a4);
@@ -6824,10 +6901,10 @@ void maggi_rolling_b_d(const maggi_topo *t, const double p[restrict t->np],
         h2_3b -= tb71 * (spline0_roadk90 * h2_3);
         h2_3bd -= tb71d * (spline0_roadk90 * h2_3) + tb71 * (spline0_roadk90d * h2_3 +
             spline0_roadk90 * h2_3d);
-        e2b += s30b * c6;
-        e2bd += s30bd * c6 + s30b * c6d;
-        c6b += s30b * e2;
-        c6bd += s30bd * e2 + s30b * e2d;
+        e2b += s30b * c5;
+        e2bd += s30bd * c5 + s30b * c5d;
+        c5b += s30b * e2;
+        c5bd += s30bd * e2 + s30b * e2d;
         s30b = 0.0;
         s30bd = 0.0;
         tb66 = t35b / t34;
@@ -6846,20 +6923,20 @@ void maggi_rolling_b_d(const maggi_topo *t, const double p[restrict t->np],
         a4b += tb66 * (spline0_roadk90 * a4 * a4);
         a4bd += tb66d * (spline0_roadk90 * a4 * a4) + tb66 * ((spline0_roadk90d * a4 +
             spline0_roadk90 * a4d) * a4 + spline0_roadk90 * a4 * a4d);
-        tb69 = tb66 * c6;
-        tb69d = tb66d * c6 + tb66 * c6d;
-        tb70 = tb69 * c6;
-        tb70d = tb69d * c6 + tb69 * c6d;
-        spline0_roadk910b += tb70 * c6;
-        spline0_roadk910bd += tb70d * c6 + tb70 * c6d;
-        c6b += tb70 * spline0_roadk910;
-        c6bd += tb70d * spline0_roadk910 + tb70 * spline0_roadk910d;
-        c6b += tb69 * (spline0_roadk910 * c6);
-        c6bd += tb69d * (spline0_roadk910 * c6) + tb69 * (spline0_roadk910d * c6 + spline0_roadk910
-            * c6d);
-        c6b += tb66 * (spline0_roadk910 * c6 * c6);
-        c6bd += tb66d * (spline0_roadk910 * c6 * c6) + tb66 * ((spline0_roadk910d * c6 +
-            spline0_roadk910 * c6d) * c6 + spline0_roadk910 * c6 * c6d);
+        tb69 = tb66 * c5;
+        tb69d = tb66d * c5 + tb66 * c5d;
+        tb70 = tb69 * c5;
+        tb70d = tb69d * c5 + tb69 * c5d;
+        spline0_roadk910b += tb70 * c5;
+        spline0_roadk910bd += tb70d * c5 + tb70 * c5d;
+        c5b += tb70 * spline0_roadk910;
+        c5bd += tb70d * spline0_roadk910 + tb70 * spline0_roadk910d;
+        c5b += tb69 * (spline0_roadk910 * c5);
+        c5bd += tb69d * (spline0_roadk910 * c5) + tb69 * (spline0_roadk910d * c5 + spline0_roadk910
+            * c5d);
+        c5b += tb66 * (spline0_roadk910 * c5 * c5);
+        c5bd += tb66d * (spline0_roadk910 * c5 * c5) + tb66 * ((spline0_roadk910d * c5 +
+            spline0_roadk910 * c5d) * c5 + spline0_roadk910 * c5 * c5d);
         t34b = -(tb66 * t35);
         t34bd = -(tb66d * t35 + tb66 * t35d);
         h2_3b += t34b * 6.0;
@@ -6889,10 +6966,10 @@ void maggi_rolling_b_d(const maggi_topo *t, const double p[restrict t->np],
         h2_3bd -= tb64d * t33 + tb64 * t33d;
         pb[t->roadadr[road] + t->roadn[road] + k9] += p7b;
         pbd[t->roadadr[road] + t->roadn[road] + k9] += p7bd;
-        xb += c6b;
-        xbd += c6bd;
-        p_roadk9b = -c6b;
-        p_roadk9bd = -c6bd;
+        xb += c5b;
+        xbd += c5bd;
+        p_roadk9b = -c5b;
+        p_roadk9bd = -c5bd;
         p_roadk91b = a4b;
         p_roadk91bd = a4bd;
         xb -= a4b;
@@ -6985,8 +7062,8 @@ void maggi_rolling_b_d(const maggi_topo *t, const double p[restrict t->np],
       based = radiusd - pd[t->roadadr[road] + MAGGI_BUMPS_HEIGHT];
       t5 = radius * radius - base * base;
       t5d = radiusd * radius + radius * radiusd - (based * base + base * based);
-      c3 = sqrt(t5);
-      c3d = 1.0 / (2.0 * c3) * t5d;
+      c2 = sqrt(t5);
+      c2d = 1.0 / (2.0 * c2) * t5d;
       f = 0.5 * p[t->roadadr[road] + MAGGI_BUMPS_FILLET];
       fd = 0.5 * pd[t->roadadr[road] + MAGGI_BUMPS_FILLET];
       if (MAGGI_RE(x3) > 0.0) {
@@ -7002,26 +7079,26 @@ void maggi_rolling_b_d(const maggi_topo *t, const double p[restrict t->np],
       h00bd = 0.0;
       baseb = 0.0;
       basebd = 0.0;
-      c3b = 0.0;
-      c3bd = 0.0;
+      c2b = 0.0;
+      c2bd = 0.0;
       fb = 0.0;
       fbd = 0.0;
       radiusb = 0.0;
       radiusbd = 0.0;
       yb = 0.0;
       ybd = 0.0;
-      if (MAGGI_RE(y) >= MAGGI_RE(c3 + f)) {
+      if (MAGGI_RE(y) >= MAGGI_RE(c2 + f)) {
         b20b = 0.0;
         b20bd = 0.0;
-      } else if (MAGGI_RE(y) > MAGGI_RE(c3 - f)) {
-        t6 = radius * radius - (c3 - f) * (c3 - f);
-        t6d = radiusd * radius + radius * radiusd - ((c3d - fd) * (c3 - f) + (c3 - f) * (c3d - fd));
+      } else if (MAGGI_RE(y) > MAGGI_RE(c2 - f)) {
+        t6 = radius * radius - (c2 - f) * (c2 - f);
+        t6d = radiusd * radius + radius * radiusd - ((c2d - fd) * (c2 - f) + (c2 - f) * (c2d - fd));
         z2 = sqrt(t6);
         z2d = 1.0 / (2.0 * z2) * t6d;
         h0_2 = z2 - base;
         h0_2d = z2d - based;
-        h1_2 = 2.0 * f * (c3 - f) / z2;
-        h1_2d = (2.0 * fd * (c3 - f) + 2.0 * f * (c3d - fd) - h1_2 * z2d) * (1.0 / z2);
+        h1_2 = 2.0 * f * (c2 - f) / z2;
+        h1_2d = (2.0 * fd * (c2 - f) + 2.0 * f * (c2d - fd) - h1_2 * z2d) * (1.0 / z2);
         a = 3.0 * h0_2 - h1_2;
         ad = 3.0 * h0_2d - h1_2d;
         t7 = z2 * z2 * z2;
@@ -7033,8 +7110,8 @@ void maggi_rolling_b_d(const maggi_topo *t, const double p[restrict t->np],
         b3d = 6.0 * h0_2d - 3.0 * h1_2d - t8d;
         t9 = 2.0 * f;
         t9d = 2.0 * fd;
-        u2 = (c3 + f - y) / t9;
-        u2d = (c3d + fd - yd - u2 * t9d) * (1.0 / t9);
+        u2 = (c2 + f - y) / t9;
+        u2d = (c2d + fd - yd - u2 * t9d) * (1.0 / t9);
         w3 = 1.0 - u2;
         w3d = -u2d;
         tb15 = b20b * (h0_2 + w3 * (a + w3 * b3));
@@ -7068,8 +7145,8 @@ void maggi_rolling_b_d(const maggi_topo *t, const double p[restrict t->np],
         u2bd -= w3bd;
         tb14 = u2b / t9;
         tb14d = (u2bd - tb14 * t9d) * (1.0 / t9);
-        c3b += tb14;
-        c3bd += tb14d;
+        c2b += tb14;
+        c2bd += tb14d;
         fb += tb14;
         fbd += tb14d;
         yb -= tb14;
@@ -7115,12 +7192,12 @@ void maggi_rolling_b_d(const maggi_topo *t, const double p[restrict t->np],
         h1_2bd -= abd;
         tb8 = h1_2b / z2;
         tb8d = (h1_2bd - tb8 * z2d) * (1.0 / z2);
-        fb += tb8 * (c3 - f) * 2.0;
-        fbd += (tb8d * (c3 - f) + tb8 * (c3d - fd)) * 2.0;
+        fb += tb8 * (c2 - f) * 2.0;
+        fbd += (tb8d * (c2 - f) + tb8 * (c2d - fd)) * 2.0;
         tb9 = tb8 * (2.0 * f);
         tb9d = tb8d * (2.0 * f) + tb8 * (2.0 * fd);
-        c3b += tb9;
-        c3bd += tb9d;
+        c2b += tb9;
+        c2bd += tb9d;
         fb -= tb9;
         fbd -= tb9d;
         z2b -= tb8 * h1_2;
@@ -7135,16 +7212,16 @@ void maggi_rolling_b_d(const maggi_topo *t, const double p[restrict t->np],
         radiusbd += t6bd * radius + t6b * radiusd;
         radiusb += t6b * radius;
         radiusbd += t6bd * radius + t6b * radiusd;
-        tb6 = t6b * (c3 - f);
-        tb6d = t6bd * (c3 - f) + t6b * (c3d - fd);
-        c3b -= tb6;
-        c3bd -= tb6d;
+        tb6 = t6b * (c2 - f);
+        tb6d = t6bd * (c2 - f) + t6b * (c2d - fd);
+        c2b -= tb6;
+        c2bd -= tb6d;
         fb += tb6;
         fbd += tb6d;
-        tb7 = t6b * (c3 - f);
-        tb7d = t6bd * (c3 - f) + t6b * (c3d - fd);
-        c3b -= tb7;
-        c3bd -= tb7d;
+        tb7 = t6b * (c2 - f);
+        tb7d = t6bd * (c2 - f) + t6b * (c2d - fd);
+        c2b -= tb7;
+        c2bd -= tb7d;
         fb += tb7;
         fbd += tb7d;
       } else {
@@ -7174,8 +7251,8 @@ void maggi_rolling_b_d(const maggi_topo *t, const double p[restrict t->np],
       x3bd = ybd * way;
       pb[t->roadadr[road] + MAGGI_BUMPS_FILLET] += fb * 0.5;
       pbd[t->roadadr[road] + MAGGI_BUMPS_FILLET] += fbd * 0.5;
-      t5b = c3b * (1.0 / (2.0 * c3));
-      t5bd = c3bd * (1.0 / (2.0 * c3)) - c3b * (1.0 / (2.0 * c3) * (2.0 * c3d) / (2.0 * c3));
+      t5b = c2b * (1.0 / (2.0 * c2));
+      t5bd = c2bd * (1.0 / (2.0 * c2)) - c2b * (1.0 / (2.0 * c2) * (2.0 * c2d) / (2.0 * c2));
       radiusb += t5b * radius;
       radiusbd += t5bd * radius + t5b * radiusd;
       radiusb += t5b * radius;
@@ -7327,8 +7404,8 @@ void maggi_rolling_b_d(const maggi_topo *t, const double p[restrict t->np],
         h3_2d = p_roadk61d - p_roadk6d;
         a2 = p_roadk61 - x2;
         a2d = p_roadk61d - x2d;
-        c4 = x2 - p_roadk6;
-        c4d = x2d - p_roadk6d;
+        c3 = x2 - p_roadk6;
+        c3d = x2d - p_roadk6d;
         p4 = p[t->roadadr[road] + t->roadn[road] + k6];
         p4d = pd[t->roadadr[road] + t->roadn[road] + k6];
         t13 = (p[t->roadadr[road] + t->roadn[road] + k6 + 1] - p4) / h3_2;
@@ -7342,10 +7419,10 @@ void maggi_rolling_b_d(const maggi_topo *t, const double p[restrict t->np],
             (spline0_roadk610d - spline0_roadk60d));
         t14 = 6.0 * h3_2;
         t14d = 6.0 * h3_2d;
-        t15 = (spline0_roadk60 * a2 * a2 * a2 + spline0_roadk610 * c4 * c4 * c4) / t14;
+        t15 = (spline0_roadk60 * a2 * a2 * a2 + spline0_roadk610 * c3 * c3 * c3) / t14;
         t15d = (((spline0_roadk60d * a2 + spline0_roadk60 * a2d) * a2 + spline0_roadk60 * a2 * a2d)
-            * a2 + spline0_roadk60 * a2 * a2 * a2d + (((spline0_roadk610d * c4 + spline0_roadk610 *
-            c4d) * c4 + spline0_roadk610 * c4 * c4d) * c4 + spline0_roadk610 * c4 * c4 * c4d) - t15
+            * a2 + spline0_roadk60 * a2 * a2 * a2d + (((spline0_roadk610d * c3 + spline0_roadk610 *
+            c3d) * c3 + spline0_roadk610 * c3 * c3d) * c3 + spline0_roadk610 * c3 * c3 * c3d) - t15
             * t14d) * (1.0 / t14);
         t15b = s20b;
         t15bd = s20bd;
@@ -7362,10 +7439,10 @@ void maggi_rolling_b_d(const maggi_topo *t, const double p[restrict t->np],
         h3_2b -= tb32 * (spline0_roadk60 * h3_2);
         h3_2bd -= tb32d * (spline0_roadk60 * h3_2) + tb32 * (spline0_roadk60d * h3_2 +
             spline0_roadk60 * h3_2d);
-        eb = s20b * c4;
-        ebd = s20bd * c4 + s20b * c4d;
-        c4b = s20b * e;
-        c4bd = s20bd * e + s20b * ed;
+        eb = s20b * c3;
+        ebd = s20bd * c3 + s20b * c3d;
+        c3b = s20b * e;
+        c3bd = s20bd * e + s20b * ed;
         s20b = 0.0;
         s20bd = 0.0;
         tb27 = t15b / t14;
@@ -7384,20 +7461,20 @@ void maggi_rolling_b_d(const maggi_topo *t, const double p[restrict t->np],
         a2b += tb27 * (spline0_roadk60 * a2 * a2);
         a2bd += tb27d * (spline0_roadk60 * a2 * a2) + tb27 * ((spline0_roadk60d * a2 +
             spline0_roadk60 * a2d) * a2 + spline0_roadk60 * a2 * a2d);
-        tb30 = tb27 * c4;
-        tb30d = tb27d * c4 + tb27 * c4d;
-        tb31 = tb30 * c4;
-        tb31d = tb30d * c4 + tb30 * c4d;
-        spline0_roadk610b = tb31 * c4;
-        spline0_roadk610bd = tb31d * c4 + tb31 * c4d;
-        c4b += tb31 * spline0_roadk610;
-        c4bd += tb31d * spline0_roadk610 + tb31 * spline0_roadk610d;
-        c4b += tb30 * (spline0_roadk610 * c4);
-        c4bd += tb30d * (spline0_roadk610 * c4) + tb30 * (spline0_roadk610d * c4 + spline0_roadk610
-            * c4d);
-        c4b += tb27 * (spline0_roadk610 * c4 * c4);
-        c4bd += tb27d * (spline0_roadk610 * c4 * c4) + tb27 * ((spline0_roadk610d * c4 +
-            spline0_roadk610 * c4d) * c4 + spline0_roadk610 * c4 * c4d);
+        tb30 = tb27 * c3;
+        tb30d = tb27d * c3 + tb27 * c3d;
+        tb31 = tb30 * c3;
+        tb31d = tb30d * c3 + tb30 * c3d;
+        spline0_roadk610b = tb31 * c3;
+        spline0_roadk610bd = tb31d * c3 + tb31 * c3d;
+        c3b += tb31 * spline0_roadk610;
+        c3bd += tb31d * spline0_roadk610 + tb31 * spline0_roadk610d;
+        c3b += tb30 * (spline0_roadk610 * c3);
+        c3bd += tb30d * (spline0_roadk610 * c3) + tb30 * (spline0_roadk610d * c3 + spline0_roadk610
+            * c3d);
+        c3b += tb27 * (spline0_roadk610 * c3 * c3);
+        c3bd += tb27d * (spline0_roadk610 * c3 * c3) + tb27 * ((spline0_roadk610d * c3 +
+            spline0_roadk610 * c3d) * c3 + spline0_roadk610 * c3 * c3d);
         t14b = -(tb27 * t15);
         t14bd = -(tb27d * t15 + tb27 * t15d);
         h3_2b += t14b * 6.0;
@@ -7427,10 +7504,10 @@ void maggi_rolling_b_d(const maggi_topo *t, const double p[restrict t->np],
         h3_2bd -= tb25d * t13 + tb25 * t13d;
         pb[t->roadadr[road] + t->roadn[road] + k6] += p4b;
         pbd[t->roadadr[road] + t->roadn[road] + k6] += p4bd;
-        x2b += c4b;
-        x2bd += c4bd;
-        p_roadk6b = -c4b;
-        p_roadk6bd = -c4bd;
+        x2b += c3b;
+        x2bd += c3bd;
+        p_roadk6b = -c3b;
+        p_roadk6bd = -c3bd;
         p_roadk61b = a2b;
         p_roadk61bd = a2bd;
         x2b -= a2b;

@@ -596,23 +596,26 @@ void maggi_wheel_forces_d(const maggi_topo *t, const double p[restrict t->np],
     z2_2d = wd;
     z3_2 = h12;
     z3_2d = h12d;
-    Z_i3 = Z[t->wheelcarrier[i]][3];
-    Z_i3d = Zd[t->wheelcarrier[i]][3];
-    wr0 = Z_i3;
-    /* Slip and forces of a wheel.
-     *   V = v_C + w_carrier × r e,  Omega = (w - w_carrier).u,  rho = R0 - r,  rho' = -V.n / |u × n|
+    Z_i3 = Z[t->wheelbody[i]][3];
+    Z_i3d = Zd[t->wheelbody[i]][3];
+    Z_i4 = Z[t->wheelbody[i]][4];
+    Z_i4d = Zd[t->wheelbody[i]][4];
+    Z_i5 = Z[t->wheelbody[i]][5];
+    Z_i5d = Zd[t->wheelbody[i]][5];
+    omega = Z_i3 * u0 + Z_i4 * u1 + Z_i5 * u2_2;
+    /* Slip and forces of a wheel.  V is the velocity of the place on the road below the wheel, which the turn of
+     * neither wheel nor carrier about the axis moves:
+     *   Omega = w.u,  V = v_C + (w - Omega u) × r e,  rho = R0 - r,  rho' = -V.n / |u × n|
      *   Fz = Cz rho + Cd rho'
      *   kappa = -(V.t - Omega Re) / |V.t|,  tan(alpha) = V.l / |V.t|,  sin(gamma) = u.n
      * No force without contact; without grip that of the spring alone, as at rest. */
-    wr0d = Z_i3d;
-    Z_i4 = Z[t->wheelcarrier[i]][4];
-    Z_i4d = Zd[t->wheelcarrier[i]][4];
-    wr1 = Z_i4;
-    wr1d = Z_i4d;
-    Z_i5 = Z[t->wheelcarrier[i]][5];
-    Z_i5d = Zd[t->wheelcarrier[i]][5];
-    wr2 = Z_i5;
-    wr2d = Z_i5d;
+    omegad = Z_i3d * u0 + Z_i3 * u0d + (Z_i4d * u1 + Z_i4 * u1d) + (Z_i5d * u2_2 + Z_i5 * u2_2d);
+    wr0 = Z_i3 - omega * u0;
+    wr0d = Z_i3d - (omegad * u0 + omega * u0d);
+    wr1 = Z_i4 - omega * u1;
+    wr1d = Z_i4d - (omegad * u1 + omega * u1d);
+    wr2 = Z_i5 - omega * u2_2;
+    wr2d = Z_i5d - (omegad * u2_2 + omega * u2_2d);
     vr0 = wr1 * arm2 - wr2 * arm1;
     vr0d = wr1d * arm2 + wr1 * arm2d - (wr2d * arm1 + wr2 * arm1d);
     vr1 = wr2 * arm0 - wr0 * arm2;
@@ -631,11 +634,6 @@ void maggi_wheel_forces_d(const maggi_topo *t, const double p[restrict t->np],
     z2_2inv = 1.0 / z2_2;
     rhovd = (z3_2d * v0 + z3_2 * v0d - (v0d * N0 + v0 * N0d + v1d * N1 + (v2d * N2 + v2 * N2d)) -
         rhov * z2_2d) * z2_2inv;
-    omega = (Z[t->wheelbody[i]][3] - Z_i3) * u0 + (Z[t->wheelbody[i]][4] - Z_i4) * u1 +
-        (Z[t->wheelbody[i]][5] - Z_i5) * u2_2;
-    omegad = (Zd[t->wheelbody[i]][3] - Z_i3d) * u0 + (Z[t->wheelbody[i]][3] - Z_i3) * u0d +
-        ((Zd[t->wheelbody[i]][4] - Z_i4d) * u1 + (Z[t->wheelbody[i]][4] - Z_i4) * u1d) +
-        ((Zd[t->wheelbody[i]][5] - Z_i5d) * u2_2 + (Z[t->wheelbody[i]][5] - Z_i5) * u2_2d);
     fz = slip[i][MAGGI_SLIP_FZ];
     fzd = pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_VERTICAL_STIFFNESS] *
         (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_UNLOADED_RADIUS] - z0) +
@@ -1554,9 +1552,9 @@ void maggi_wheel_forces_d(const maggi_topo *t, const double p[restrict t->np],
   }
 }
 
-/* Rates of the coordinates on which wheels turn at which they roll freely, kappa = 0: with V the velocity of
- * the contact point on the carrier and w the velocity of the wheel by its coordinate
- *   v = V.t / (Re w.u) */
+/* Rates of the coordinates on which wheels turn at which they roll freely, kappa = 0: with w that of the
+ * carrier and w_q that of the wheel on it at the rate 1
+ *   v = (V.t / Re - w.u) / (w_q.u) */
 void maggi_rolling_d(const maggi_topo *t, const double p[restrict t->np],
                      const double pd[restrict t->np], const double spline0[restrict t->nspline][3],
                      const double spline0d[restrict t->nspline][3],
@@ -1572,30 +1570,31 @@ void maggi_rolling_d(const maggi_topo *t, const double p[restrict t->np],
   double N0, N0d, N1, N2, N2d, T0, T0d, T1, T1d, T2, T2d, a, a2, a2d, a3, a3d, a4, a4d, ad, along0,
       along0d, along1, along1d, along2, along2d, arm0, arm0d, arm1, arm1d, arm2, arm2d, axis0,
       axis0d, axis1, axis1d, axis2, axis2d, b20, b20d, b3, b3d, b40, b40d, b41, b41d, b5, b5d, base,
-      base2, base2d, based, c0, c0d, c1, c10, c11, c12, c13, c14, c15, c16, c17, c18, c19, c1d, c2,
-      c2_2, c2_2d, c2d, c3, c3d, c4, c4d, c5, c5d, c6, c6d, c7, c8, c9, e, e2, e2d, ed, f, f2, f2d,
-      fd, fz, fz0, fz0d, fz0inv, fzd, g0, g0d, g2, g2d, h, h00, h00d, h0_2, h0_2d, h0_3, h0_3d, h10,
-      h10d, h11, h11d, h12, h12d, h1_2, h1_2d, h1_3, h1_3d, h2, h2_2, h2_2d, h2_2inv, h2_3, h2_3d,
-      h2_3inv, h2d, h2inv, h3, h3_2, h3_2d, h3_2inv, h3d, h3inv, hd, hinv, inv, inv2, inv3, k5, k5d,
-      k8, k8d, n2, n2d, n2inv, normal0, normal0d, normal1, normal2, normal2d, p2, p2d, p3, p3d, p4,
-      p4d, p5, p5d, p6, p6d, p7, p7d, p_road, p_road2, p_road2d, p_road3, p_road3d, p_road4,
-      p_road4d, p_road5, p_road5d, p_road6, p_road6d, p_roadd, p_roadk6, p_roadk61, p_roadk61d,
-      p_roadk6d, p_roadk9, p_roadk91, p_roadk91d, p_roadk9d, p_roadroad, p_roadroad2, p_roadroad2d,
-      p_roadroadd, r2, r2d, radius, radius2, radius2d, radiusd, ratio, ratiod, re, red, rhov, rhovd,
-      s, s20, s20d, s30, s30d, s31, s31d, sd, sinv, slope, slope2, slope2_2, slope2_2d, slope2d,
-      slope3, slope3d, sloped, spline0_roadk60, spline0_roadk60d, spline0_roadk610,
-      spline0_roadk610d, spline0_roadk90, spline0_roadk90d, spline0_roadk910, spline0_roadk910d,
-      t10, t10d, t11, t11d, t12, t12d, t13, t13d, t14, t14d, t14inv, t15, t15d, t16, t16d, t16inv,
-      t17, t17d, t18, t18d, t19, t19d, t2, t20, t20d, t21, t21d, t22, t22d, t23, t23d, t24, t24d,
-      t24inv, t25, t25d, t26, t26d, t26inv, t27, t27d, t27inv, t28, t28d, t29, t29d, t2d, t3, t30,
-      t30d, t31, t31d, t32, t32d, t33, t33d, t34, t34d, t34inv, t35, t35d, t36, t36d, t36inv, t37,
-      t37d, t38, t38d, t39, t39d, t3d, t4, t40, t40d, t41, t41d, t42, t42d, t43, t43d, t43inv, t4d,
-      t5, t5d, t6, t6d, t7, t7d, t7inv, t8, t8d, t9, t9d, t9inv, u0, u0d, u1, u1d, u2, u2_2, u2_2d,
-      u2d, u3, u3d, ua0, ua0d, ua1, ua1d, ua2, ua2d, un0, un0d, un1, un1d, un2, un2d, v0, v0d, v1,
-      v1d, v2, v2d, w0, w0d, w1, w1d, w2, w2_2, w2_2d, w2d, w2inv, w3, w3d, w4, w4d, way, way2, wr0,
-      wr0d, wr1, wr1d, wr2, wr2d, x, x2, x2d, x3, x3d, x4, x4d, xd, y, y2, y2d, yd, z0, z0d, z2,
-      z2_2, z2_2d, z2_2inv, z2_3, z2_3d, z2d, z2inv, z3, z3_2, z3_2d, z3_3, z3_3d, z3_3inv, z3d,
-      z3inv;
+      base2, base2d, based, c, c10, c11, c12, c13, c14, c15, c16, c17, c18, c2, c2d, c3, c3d, c4,
+      c4d, c5, c5d, c6, c7, c8, c9, cd, e, e2, e2d, ed, f, f2, f2d, fd, fz, fz0, fz0d, fz0inv, fzd,
+      g0, g0d, g2, g2d, h, h00, h00d, h0_2, h0_2d, h0_3, h0_3d, h10, h10d, h11, h11d, h12, h12d,
+      h1_2, h1_2d, h1_3, h1_3d, h2, h2_2, h2_2d, h2_2inv, h2_3, h2_3d, h2_3inv, h2d, h2inv, h3,
+      h3_2, h3_2d, h3_2inv, h3d, h3inv, hd, hinv, inv, inv2, inv3, k5, k5d, k8, k8d, n2, n2d, n2inv,
+      normal0, normal0d, normal1, normal2, normal2d, p2, p2d, p3, p3d, p4, p4d, p5, p5d, p6, p6d,
+      p7, p7d, p_road, p_road2, p_road2d, p_road3, p_road3d, p_road4, p_road4d, p_road5, p_road5d,
+      p_road6, p_road6d, p_roadd, p_roadk6, p_roadk61, p_roadk61d, p_roadk6d, p_roadk9, p_roadk91,
+      p_roadk91d, p_roadk9d, p_roadroad, p_roadroad2, p_roadroad2d, p_roadroadd, r2, r2d, r_i0,
+      r_i0d, r_i1, r_i1d, r_i2, r_i2d, radius, radius2, radius2d, radiusd, ratio, ratiod, re, re2,
+      re2d, red, reinv, rhov, rhovd, s, s20, s20d, s30, s30d, s31, s31d, sd, sinv, slope, slope2,
+      slope2_2, slope2_2d, slope2d, slope3, slope3d, sloped, spline0_roadk60, spline0_roadk60d,
+      spline0_roadk610, spline0_roadk610d, spline0_roadk90, spline0_roadk90d, spline0_roadk910,
+      spline0_roadk910d, t10, t10d, t11, t11d, t12, t12d, t13, t13d, t14, t14d, t14inv, t15, t15d,
+      t16, t16d, t16inv, t17, t17d, t18, t18d, t19, t19d, t2, t20, t20d, t21, t21d, t22, t22d, t23,
+      t23d, t24, t24d, t24inv, t25, t25d, t26, t26d, t26inv, t27, t27d, t27inv, t28, t28d, t29,
+      t29d, t2d, t3, t30, t30d, t31, t31d, t32, t32d, t33, t33d, t34, t34d, t34inv, t35, t35d, t36,
+      t36d, t36inv, t37, t37d, t38, t38d, t39, t39d, t3d, t4, t40, t40d, t41, t41d, t42, t42d, t43,
+      t43d, t44, t44d, t44inv, t4d, t5, t5d, t6, t6d, t7, t7d, t7inv, t8, t8d, t9, t9d, t9inv, turn,
+      turnd, u0, u0d, u1, u1d, u2, u2_2, u2_2d, u2d, u3, u3d, ua0, ua0d, ua1, ua1d, ua2, ua2d, un0,
+      un0d, un1, un1d, un2, un2d, v0, v0d, v1, v1d, v2, v2d, vc0, vc0d, vc1, vc1d, vc2, vc2d, vr0,
+      vr0d, vr1, vr1d, vr2, vr2d, w0, w0d, w1, w1d, w2, w2_2, w2_2d, w2d, w2inv, w3, w3d, w4, w4d,
+      way, way2, wr0, wr0d, wr1, wr1d, wr2, wr2d, x, x2, x2d, x3, x3d, x4, x4d, xd, y, y2, y2d, yd,
+      z0, z0d, z2, z2_2, z2_2d, z2_2inv, z2_3, z2_3d, z2d, z2inv, z3, z3_2, z3_2d, z3_3, z3_3d,
+      z3_3inv, z3d, z3inv;
 
   for (i = 0; i < t->nwheel; ++i) {
     adr = t->tyreadr[t->wheeltyre[i]];
@@ -1627,8 +1626,8 @@ void maggi_rolling_d(const maggi_topo *t, const double p[restrict t->np],
     t2 = ua0 * ua0 + ua1 * ua1 + ua2 * ua2;
     t2d = ua0d * ua0 + ua0 * ua0d + (ua1d * ua1 + ua1 * ua1d) + (ua2d * ua2 + ua2 * ua2d);
     n2 = sqrt(t2);
-    c7 = 1.0 / (2.0 * n2);
-    n2d = c7 * t2d;
+    c6 = 1.0 / (2.0 * n2);
+    n2d = c6 * t2d;
     u0 = ua0 / n2;
     n2inv = 1.0 / n2;
     u0d = (ua0d - u0 * n2d) * n2inv;
@@ -1658,8 +1657,8 @@ void maggi_rolling_d(const maggi_topo *t, const double p[restrict t->np],
       t3 = k5 * x2;
       t3d = k5d * x2 + k5 * x2d;
       t4 = sin(t3);
-      c8 = cos(t3);
-      t4d = c8 * t3d;
+      c7 = cos(t3);
+      t4d = c7 * t3d;
       p_road2 = p[t->roadadr[road]];
       p_road2d = pd[t->roadadr[road]];
       h00 = p_road2 * t4;
@@ -1679,9 +1678,9 @@ void maggi_rolling_d(const maggi_topo *t, const double p[restrict t->np],
       based = radiusd - pd[t->roadadr[road] + MAGGI_BUMPS_HEIGHT];
       t5 = radius * radius - base * base;
       t5d = radiusd * radius + radius * radiusd - (based * base + base * based);
-      c3 = sqrt(t5);
-      c9 = 1.0 / (2.0 * c3);
-      c3d = c9 * t5d;
+      c2 = sqrt(t5);
+      c8 = 1.0 / (2.0 * c2);
+      c2d = c8 * t5d;
       f = 0.5 * p[t->roadadr[road] + MAGGI_BUMPS_FILLET];
       fd = 0.5 * pd[t->roadadr[road] + MAGGI_BUMPS_FILLET];
       if (MAGGI_RE(x3) > 0.0) {
@@ -1691,20 +1690,20 @@ void maggi_rolling_d(const maggi_topo *t, const double p[restrict t->np],
       }
       y = way * x3;
       yd = way * x3d;
-      if (MAGGI_RE(y) >= MAGGI_RE(c3 + f)) {
+      if (MAGGI_RE(y) >= MAGGI_RE(c2 + f)) {
         b20 = 0.0;
         b20d = 0.0;
-      } else if (MAGGI_RE(y) > MAGGI_RE(c3 - f)) {
-        t6 = radius * radius - (c3 - f) * (c3 - f);
-        t6d = radiusd * radius + radius * radiusd - ((c3d - fd) * (c3 - f) + (c3 - f) * (c3d - fd));
+      } else if (MAGGI_RE(y) > MAGGI_RE(c2 - f)) {
+        t6 = radius * radius - (c2 - f) * (c2 - f);
+        t6d = radiusd * radius + radius * radiusd - ((c2d - fd) * (c2 - f) + (c2 - f) * (c2d - fd));
         z2 = sqrt(t6);
-        c10 = 1.0 / (2.0 * z2);
-        z2d = c10 * t6d;
+        c9 = 1.0 / (2.0 * z2);
+        z2d = c9 * t6d;
         h0_2 = z2 - base;
         h0_2d = z2d - based;
-        h1_2 = 2.0 * f * (c3 - f) / z2;
+        h1_2 = 2.0 * f * (c2 - f) / z2;
         z2inv = 1.0 / z2;
-        h1_2d = (2.0 * fd * (c3 - f) + 2.0 * f * (c3d - fd) - h1_2 * z2d) * z2inv;
+        h1_2d = (2.0 * fd * (c2 - f) + 2.0 * f * (c2d - fd) - h1_2 * z2d) * z2inv;
         a = 3.0 * h0_2 - h1_2;
         ad = 3.0 * h0_2d - h1_2d;
         t7 = z2 * z2 * z2;
@@ -1717,9 +1716,9 @@ void maggi_rolling_d(const maggi_topo *t, const double p[restrict t->np],
         b3d = 6.0 * h0_2d - 3.0 * h1_2d - t8d;
         t9 = 2.0 * f;
         t9d = 2.0 * fd;
-        u2 = (c3 + f - y) / t9;
+        u2 = (c2 + f - y) / t9;
         t9inv = 1.0 / t9;
-        u2d = (c3d + fd - yd - u2 * t9d) * t9inv;
+        u2d = (c2d + fd - yd - u2 * t9d) * t9inv;
         w3 = 1.0 - u2;
         w3d = -u2d;
         b20 = u2 * u2 * u2 * (h0_2 + w3 * (a + w3 * b3));
@@ -1729,8 +1728,8 @@ void maggi_rolling_d(const maggi_topo *t, const double p[restrict t->np],
         t10 = radius * radius - y * y;
         t10d = radiusd * radius + radius * radiusd - (yd * y + y * yd);
         z2_3 = sqrt(t10);
-        c11 = 1.0 / (2.0 * z2_3);
-        z2_3d = c11 * t10d;
+        c10 = 1.0 / (2.0 * z2_3);
+        z2_3d = c10 * t10d;
         b20 = z2_3 - base;
         b20d = z2_3d - based;
       }
@@ -1783,8 +1782,8 @@ void maggi_rolling_d(const maggi_topo *t, const double p[restrict t->np],
         h3_2d = p_roadk61d - p_roadk6d;
         a2 = p_roadk61 - x2;
         a2d = p_roadk61d - x2d;
-        c4 = x2 - p_roadk6;
-        c4d = x2d - p_roadk6d;
+        c3 = x2 - p_roadk6;
+        c3d = x2d - p_roadk6d;
         p4 = p[t->roadadr[road] + t->roadn[road] + k6];
         p4d = pd[t->roadadr[road] + t->roadn[road] + k6];
         t13 = (p[t->roadadr[road] + t->roadn[road] + k6 + 1] - p4) / h3_2;
@@ -1799,15 +1798,15 @@ void maggi_rolling_d(const maggi_topo *t, const double p[restrict t->np],
             (spline0_roadk610d - spline0_roadk60d));
         t14 = 6.0 * h3_2;
         t14d = 6.0 * h3_2d;
-        t15 = (spline0_roadk60 * a2 * a2 * a2 + spline0_roadk610 * c4 * c4 * c4) / t14;
+        t15 = (spline0_roadk60 * a2 * a2 * a2 + spline0_roadk610 * c3 * c3 * c3) / t14;
         t14inv = 1.0 / t14;
         t15d = (((spline0_roadk60d * a2 + spline0_roadk60 * a2d) * a2 + spline0_roadk60 * a2 * a2d)
-            * a2 + spline0_roadk60 * a2 * a2 * a2d + (((spline0_roadk610d * c4 + spline0_roadk610 *
-            c4d) * c4 + spline0_roadk610 * c4 * c4d) * c4 + spline0_roadk610 * c4 * c4 * c4d) - t15
+            * a2 + spline0_roadk60 * a2 * a2 * a2d + (((spline0_roadk610d * c3 + spline0_roadk610 *
+            c3d) * c3 + spline0_roadk610 * c3 * c3d) * c3 + spline0_roadk610 * c3 * c3 * c3d) - t15
             * t14d) * t14inv;
-        s20 = t15 + p4 - spline0_roadk60 * h3_2 * h3_2 / 6.0 + e * c4;
+        s20 = t15 + p4 - spline0_roadk60 * h3_2 * h3_2 / 6.0 + e * c3;
         s20d = t15d + p4d - ((spline0_roadk60d * h3_2 + spline0_roadk60 * h3_2d) * h3_2 +
-            spline0_roadk60 * h3_2 * h3_2d) / 6.0 + (ed * c4 + e * c4d);
+            spline0_roadk60 * h3_2 * h3_2d) / 6.0 + (ed * c3 + e * c3d);
       }
       h00 = s20;
       h00d = s20d;
@@ -1835,8 +1834,8 @@ void maggi_rolling_d(const maggi_topo *t, const double p[restrict t->np],
       t18 = k8 * x;
       t18d = k8d * x + k8 * xd;
       t19 = sin(t18);
-      c12 = cos(t18);
-      t19d = c12 * t18d;
+      c11 = cos(t18);
+      t19d = c11 * t18d;
       p_road5 = p[t->roadadr[road]];
       p_road5d = pd[t->roadadr[road]];
       h10 = p_road5 * t19;
@@ -1844,8 +1843,8 @@ void maggi_rolling_d(const maggi_topo *t, const double p[restrict t->np],
       t20 = k8 * x;
       t20d = k8d * x + k8 * xd;
       t21 = cos(t20);
-      c13 = -sin(t20);
-      t21d = c13 * t20d;
+      c12 = -sin(t20);
+      t21d = c12 * t20d;
       h11 = k8 * p_road5 * t21;
       h11d = (k8d * p_road5 + k8 * p_road5d) * t21 + k8 * p_road5 * t21d;
       h12 = 0.0;
@@ -1865,9 +1864,9 @@ void maggi_rolling_d(const maggi_topo *t, const double p[restrict t->np],
       base2d = radius2d - pd[t->roadadr[road] + MAGGI_BUMPS_HEIGHT];
       t22 = radius2 * radius2 - base2 * base2;
       t22d = radius2d * radius2 + radius2 * radius2d - (base2d * base2 + base2 * base2d);
-      c5 = sqrt(t22);
-      c14 = 1.0 / (2.0 * c5);
-      c5d = c14 * t22d;
+      c4 = sqrt(t22);
+      c13 = 1.0 / (2.0 * c4);
+      c4d = c13 * t22d;
       f2 = 0.5 * p[t->roadadr[road] + MAGGI_BUMPS_FILLET];
       f2d = 0.5 * pd[t->roadadr[road] + MAGGI_BUMPS_FILLET];
       if (MAGGI_RE(x4) > 0.0) {
@@ -1877,23 +1876,23 @@ void maggi_rolling_d(const maggi_topo *t, const double p[restrict t->np],
       }
       y2 = way2 * x4;
       y2d = way2 * x4d;
-      if (MAGGI_RE(y2) >= MAGGI_RE(c5 + f2)) {
+      if (MAGGI_RE(y2) >= MAGGI_RE(c4 + f2)) {
         b40 = 0.0;
         b40d = 0.0;
         b41 = 0.0;
         b41d = 0.0;
-      } else if (MAGGI_RE(y2) > MAGGI_RE(c5 - f2)) {
-        t23 = radius2 * radius2 - (c5 - f2) * (c5 - f2);
-        t23d = radius2d * radius2 + radius2 * radius2d - ((c5d - f2d) * (c5 - f2) + (c5 - f2) * (c5d
+      } else if (MAGGI_RE(y2) > MAGGI_RE(c4 - f2)) {
+        t23 = radius2 * radius2 - (c4 - f2) * (c4 - f2);
+        t23d = radius2d * radius2 + radius2 * radius2d - ((c4d - f2d) * (c4 - f2) + (c4 - f2) * (c4d
             - f2d));
         z3 = sqrt(t23);
-        c15 = 1.0 / (2.0 * z3);
-        z3d = c15 * t23d;
+        c14 = 1.0 / (2.0 * z3);
+        z3d = c14 * t23d;
         h0_3 = z3 - base2;
         h0_3d = z3d - base2d;
-        h1_3 = 2.0 * f2 * (c5 - f2) / z3;
+        h1_3 = 2.0 * f2 * (c4 - f2) / z3;
         z3inv = 1.0 / z3;
-        h1_3d = (2.0 * f2d * (c5 - f2) + 2.0 * f2 * (c5d - f2d) - h1_3 * z3d) * z3inv;
+        h1_3d = (2.0 * f2d * (c4 - f2) + 2.0 * f2 * (c4d - f2d) - h1_3 * z3d) * z3inv;
         a3 = 3.0 * h0_3 - h1_3;
         a3d = 3.0 * h0_3d - h1_3d;
         t24 = z3 * z3 * z3;
@@ -1906,9 +1905,9 @@ void maggi_rolling_d(const maggi_topo *t, const double p[restrict t->np],
         b5d = 6.0 * h0_3d - 3.0 * h1_3d - t25d;
         t26 = 2.0 * f2;
         t26d = 2.0 * f2d;
-        u3 = (c5 + f2 - y2) / t26;
+        u3 = (c4 + f2 - y2) / t26;
         t26inv = 1.0 / t26;
-        u3d = (c5d + f2d - y2d - u3 * t26d) * t26inv;
+        u3d = (c4d + f2d - y2d - u3 * t26d) * t26inv;
         w4 = 1.0 - u3;
         w4d = -u3d;
         b40 = u3 * u3 * u3 * (h0_3 + w4 * (a3 + w4 * b5));
@@ -1929,8 +1928,8 @@ void maggi_rolling_d(const maggi_topo *t, const double p[restrict t->np],
         t29 = radius2 * radius2 - y2 * y2;
         t29d = radius2d * radius2 + radius2 * radius2d - (y2d * y2 + y2 * y2d);
         z3_3 = sqrt(t29);
-        c16 = 1.0 / (2.0 * z3_3);
-        z3_3d = c16 * t29d;
+        c15 = 1.0 / (2.0 * z3_3);
+        z3_3d = c15 * t29d;
         b40 = z3_3 - base2;
         b40d = z3_3d - base2d;
         t30 = -x4 / z3_3;
@@ -1996,8 +1995,8 @@ void maggi_rolling_d(const maggi_topo *t, const double p[restrict t->np],
         h2_3d = p_roadk91d - p_roadk9d;
         a4 = p_roadk91 - x;
         a4d = p_roadk91d - xd;
-        c6 = x - p_roadk9;
-        c6d = xd - p_roadk9d;
+        c5 = x - p_roadk9;
+        c5d = xd - p_roadk9d;
         p7 = p[t->roadadr[road] + t->roadn[road] + k9];
         p7d = pd[t->roadadr[road] + t->roadn[road] + k9];
         t33 = (p[t->roadadr[road] + t->roadn[road] + k9 + 1] - p7) / h2_3;
@@ -2012,20 +2011,20 @@ void maggi_rolling_d(const maggi_topo *t, const double p[restrict t->np],
             (spline0_roadk910d - spline0_roadk90d));
         t34 = 6.0 * h2_3;
         t34d = 6.0 * h2_3d;
-        t35 = (spline0_roadk90 * a4 * a4 * a4 + spline0_roadk910 * c6 * c6 * c6) / t34;
+        t35 = (spline0_roadk90 * a4 * a4 * a4 + spline0_roadk910 * c5 * c5 * c5) / t34;
         t34inv = 1.0 / t34;
         t35d = (((spline0_roadk90d * a4 + spline0_roadk90 * a4d) * a4 + spline0_roadk90 * a4 * a4d)
-            * a4 + spline0_roadk90 * a4 * a4 * a4d + (((spline0_roadk910d * c6 + spline0_roadk910 *
-            c6d) * c6 + spline0_roadk910 * c6 * c6d) * c6 + spline0_roadk910 * c6 * c6 * c6d) - t35
+            * a4 + spline0_roadk90 * a4 * a4 * a4d + (((spline0_roadk910d * c5 + spline0_roadk910 *
+            c5d) * c5 + spline0_roadk910 * c5 * c5d) * c5 + spline0_roadk910 * c5 * c5 * c5d) - t35
             * t34d) * t34inv;
-        s30 = t35 + p7 - spline0_roadk90 * h2_3 * h2_3 / 6.0 + e2 * c6;
+        s30 = t35 + p7 - spline0_roadk90 * h2_3 * h2_3 / 6.0 + e2 * c5;
         s30d = t35d + p7d - ((spline0_roadk90d * h2_3 + spline0_roadk90 * h2_3d) * h2_3 +
-            spline0_roadk90 * h2_3 * h2_3d) / 6.0 + (e2d * c6 + e2 * c6d);
+            spline0_roadk90 * h2_3 * h2_3d) / 6.0 + (e2d * c5 + e2 * c5d);
         t36 = 2.0 * h2_3;
         t36d = 2.0 * h2_3d;
-        t37 = (spline0_roadk910 * c6 * c6 - spline0_roadk90 * a4 * a4) / t36;
+        t37 = (spline0_roadk910 * c5 * c5 - spline0_roadk90 * a4 * a4) / t36;
         t36inv = 1.0 / t36;
-        t37d = ((spline0_roadk910d * c6 + spline0_roadk910 * c6d) * c6 + spline0_roadk910 * c6 * c6d
+        t37d = ((spline0_roadk910d * c5 + spline0_roadk910 * c5d) * c5 + spline0_roadk910 * c5 * c5d
             - ((spline0_roadk90d * a4 + spline0_roadk90 * a4d) * a4 + spline0_roadk90 * a4 * a4d) -
             t37 * t36d) * t36inv;
         s31 = t37 + e2;
@@ -2041,16 +2040,16 @@ void maggi_rolling_d(const maggi_topo *t, const double p[restrict t->np],
     t38 = 1.0 + h11 * h11;
     t38d = h11d * h11 + h11 * h11d;
     s = sqrt(t38);
-    c17 = 1.0 / (2.0 * s);
-    sd = c17 * t38d;
+    c16 = 1.0 / (2.0 * s);
+    sd = c16 * t38d;
     normal0 = -h11 / s;
     sinv = 1.0 / s;
     normal0d = (-h11d - normal0 * sd) * sinv;
     normal1 = 0.0;
     normal2 = 1.0 / s;
     normal2d = -(normal2 * sd * sinv);
-    c2 = u0 * normal0 + u1 * normal1 + u2_2 * normal2;
-    c2d = u0d * normal0 + u0 * normal0d + u1d * normal1 + (u2_2d * normal2 + u2_2 * normal2d);
+    c = u0 * normal0 + u1 * normal1 + u2_2 * normal2;
+    cd = u0d * normal0 + u0 * normal0d + u1d * normal1 + (u2_2d * normal2 + u2_2 * normal2d);
     un0 = u1 * normal2 - u2_2 * normal1;
     un0d = u1d * normal2 + u1 * normal2d - u2_2d * normal1;
     un1 = u2_2 * normal0 - u0 * normal2;
@@ -2060,8 +2059,8 @@ void maggi_rolling_d(const maggi_topo *t, const double p[restrict t->np],
     t39 = un0 * un0 + un1 * un1 + un2 * un2;
     t39d = un0d * un0 + un0 * un0d + (un1d * un1 + un1 * un1d) + (un2d * un2 + un2 * un2d);
     w2 = sqrt(t39);
-    c18 = 1.0 / (2.0 * w2);
-    w2d = c18 * t39d;
+    c17 = 1.0 / (2.0 * w2);
+    w2d = c17 * t39d;
     r2 = ((g0 - x) * normal0 + (g2 - h10) * normal2) / w2;
     w2inv = 1.0 / w2;
     r2d = ((g0d - xd) * normal0 + (g0 - x) * normal0d + ((g2d - h10d) * normal2 + (g2 - h10) *
@@ -2072,20 +2071,19 @@ void maggi_rolling_d(const maggi_topo *t, const double p[restrict t->np],
     along1d = (un1d - along1 * w2d) * w2inv;
     along2 = un2 / w2;
     along2d = (un2d - along2 * w2d) * w2inv;
-    arm0 = r2 * (c2 * u0 - normal0) / w2;
-    arm0d = (r2d * (c2 * u0 - normal0) + r2 * (c2d * u0 + c2 * u0d - normal0d) - arm0 * w2d) *
-        w2inv;
+    arm0 = r2 * (c * u0 - normal0) / w2;
+    arm0d = (r2d * (c * u0 - normal0) + r2 * (cd * u0 + c * u0d - normal0d) - arm0 * w2d) * w2inv;
     T0 = along0;
     T0d = along0d;
     N0 = normal0;
     N0d = normal0d;
-    arm1 = r2 * (c2 * u1 - normal1) / w2;
-    arm1d = (r2d * (c2 * u1 - normal1) + r2 * (c2d * u1 + c2 * u1d) - arm1 * w2d) * w2inv;
+    arm1 = r2 * (c * u1 - normal1) / w2;
+    arm1d = (r2d * (c * u1 - normal1) + r2 * (cd * u1 + c * u1d) - arm1 * w2d) * w2inv;
     T1 = along1;
     T1d = along1d;
     N1 = normal1;
-    arm2 = r2 * (c2 * u2_2 - normal2) / w2;
-    arm2d = (r2d * (c2 * u2_2 - normal2) + r2 * (c2d * u2_2 + c2 * u2_2d - normal2d) - arm2 * w2d) *
+    arm2 = r2 * (c * u2_2 - normal2) / w2;
+    arm2d = (r2d * (c * u2_2 - normal2) + r2 * (cd * u2_2 + c * u2_2d - normal2d) - arm2 * w2d) *
         w2inv;
     T2 = along2;
     T2d = along2d;
@@ -2097,30 +2095,44 @@ void maggi_rolling_d(const maggi_topo *t, const double p[restrict t->np],
     z2_2d = w2d;
     z3_2 = h12;
     z3_2d = h12d;
-    c0 = r[t->wheelpoint[i]][0] + arm0;
-    c0d = rd[t->wheelpoint[i]][0] + arm0d;
-    c1 = r[t->wheelpoint[i]][1] + arm1;
-    c1d = rd[t->wheelpoint[i]][1] + arm1d;
-    c2_2 = r[t->wheelpoint[i]][2] + arm2;
-    c2_2d = rd[t->wheelpoint[i]][2] + arm2d;
-    wr0 = Z[carrier][3];
-    wr0d = Zd[carrier][3];
-    wr1 = Z[carrier][4];
-    wr1d = Zd[carrier][4];
-    wr2 = Z[carrier][5];
-    wr2d = Zd[carrier][5];
-    w0 = wr1 * c2_2 - wr2 * c1;
-    w0d = wr1d * c2_2 + wr1 * c2_2d - (wr2d * c1 + wr2 * c1d);
-    w1 = wr2 * c0 - wr0 * c2_2;
-    w1d = wr2d * c0 + wr2 * c0d - (wr0d * c2_2 + wr0 * c2_2d);
-    w2_2 = wr0 * c1 - wr1 * c0;
-    w2_2d = wr0d * c1 + wr0 * c1d - (wr1d * c0 + wr1 * c0d);
-    v0 = Z[carrier][0] + w0;
-    v0d = Zd[carrier][0] + w0d;
-    v1 = Z[carrier][1] + w1;
-    v1d = Zd[carrier][1] + w1d;
-    v2 = Z[carrier][2] + w2_2;
-    v2d = Zd[carrier][2] + w2_2d;
+    w0 = Z[carrier][3];
+    w0d = Zd[carrier][3];
+    w1 = Z[carrier][4];
+    w1d = Zd[carrier][4];
+    w2_2 = Z[carrier][5];
+    w2_2d = Zd[carrier][5];
+    turn = w0 * u0 + w1 * u1 + w2_2 * u2_2;
+    turnd = w0d * u0 + w0 * u0d + (w1d * u1 + w1 * u1d) + (w2_2d * u2_2 + w2_2 * u2_2d);
+    wr0 = w0 - turn * u0;
+    wr0d = w0d - (turnd * u0 + turn * u0d);
+    wr1 = w1 - turn * u1;
+    wr1d = w1d - (turnd * u1 + turn * u1d);
+    wr2 = w2_2 - turn * u2_2;
+    wr2d = w2_2d - (turnd * u2_2 + turn * u2_2d);
+    r_i2 = r[t->wheelpoint[i]][2];
+    r_i2d = rd[t->wheelpoint[i]][2];
+    r_i1 = r[t->wheelpoint[i]][1];
+    r_i1d = rd[t->wheelpoint[i]][1];
+    vc0 = w1 * r_i2 - w2_2 * r_i1;
+    vc0d = w1d * r_i2 + w1 * r_i2d - (w2_2d * r_i1 + w2_2 * r_i1d);
+    r_i0 = r[t->wheelpoint[i]][0];
+    r_i0d = rd[t->wheelpoint[i]][0];
+    vc1 = w2_2 * r_i0 - w0 * r_i2;
+    vc1d = w2_2d * r_i0 + w2_2 * r_i0d - (w0d * r_i2 + w0 * r_i2d);
+    vc2 = w0 * r_i1 - w1 * r_i0;
+    vc2d = w0d * r_i1 + w0 * r_i1d - (w1d * r_i0 + w1 * r_i0d);
+    vr0 = wr1 * arm2 - wr2 * arm1;
+    vr0d = wr1d * arm2 + wr1 * arm2d - (wr2d * arm1 + wr2 * arm1d);
+    vr1 = wr2 * arm0 - wr0 * arm2;
+    vr1d = wr2d * arm0 + wr2 * arm0d - (wr0d * arm2 + wr0 * arm2d);
+    vr2 = wr0 * arm1 - wr1 * arm0;
+    vr2d = wr0d * arm1 + wr0 * arm1d - (wr1d * arm0 + wr1 * arm0d);
+    v0 = Z[carrier][0] + vc0 + vr0;
+    v0d = Zd[carrier][0] + vc0d + vr0d;
+    v1 = Z[carrier][1] + vc1 + vr1;
+    v1d = Zd[carrier][1] + vc1d + vr1d;
+    v2 = Z[carrier][2] + vc2 + vr2;
+    v2d = Zd[carrier][2] + vc2d + vr2d;
     rhov = (z3_2 * v0 - (v0 * N0 + v1 * N1 + v2 * N2)) / z2_2;
     z2_2inv = 1.0 / z2_2;
     rhovd = (z3_2d * v0 + z3_2 * v0d - (v0d * N0 + v0 * N0d + v1d * N1 + (v2d * N2 + v2 * N2d)) -
@@ -2144,24 +2156,28 @@ void maggi_rolling_d(const maggi_topo *t, const double p[restrict t->np],
       t41 = p[adr + MAGGI_TYRE_BREFF] * ratio;
       t41d = pd[adr + MAGGI_TYRE_BREFF] * ratio + p[adr + MAGGI_TYRE_BREFF] * ratiod;
       t42 = atan(t41);
-      c19 = 1.0 / (1.0 + t41 * t41);
-      t42d = c19 * t41d;
-      re = p[adr + MAGGI_TYRE_UNLOADED_RADIUS] - t40 * (p[adr + MAGGI_TYRE_DREFF] * t42 + p[adr +
+      c18 = 1.0 / (1.0 + t41 * t41);
+      t42d = c18 * t41d;
+      re2 = p[adr + MAGGI_TYRE_UNLOADED_RADIUS] - t40 * (p[adr + MAGGI_TYRE_DREFF] * t42 + p[adr +
           MAGGI_TYRE_FREFF] * ratio);
-      red = pd[adr + MAGGI_TYRE_UNLOADED_RADIUS] - (t40d * (p[adr + MAGGI_TYRE_DREFF] * t42 + p[adr
+      re2d = pd[adr + MAGGI_TYRE_UNLOADED_RADIUS] - (t40d * (p[adr + MAGGI_TYRE_DREFF] * t42 + p[adr
           + MAGGI_TYRE_FREFF] * ratio) + t40 * (pd[adr + MAGGI_TYRE_DREFF] * t42 + p[adr +
           MAGGI_TYRE_DREFF] * t42d + (pd[adr + MAGGI_TYRE_FREFF] * ratio + p[adr + MAGGI_TYRE_FREFF]
           * ratiod)));
     } else {
-      re = p[adr + MAGGI_TYRE_UNLOADED_RADIUS];
-      red = pd[adr + MAGGI_TYRE_UNLOADED_RADIUS];
+      re2 = p[adr + MAGGI_TYRE_UNLOADED_RADIUS];
+      re2d = pd[adr + MAGGI_TYRE_UNLOADED_RADIUS];
     }
-    t43 = re * (b[body][3] * u0 + b[body][4] * u1 + b[body][5] * u2_2);
-    t43d = red * (b[body][3] * u0 + b[body][4] * u1 + b[body][5] * u2_2) + re * (bd[body][3] * u0 +
-        b[body][3] * u0d + (bd[body][4] * u1 + b[body][4] * u1d) + (bd[body][5] * u2_2 + b[body][5]
-        * u2_2d));
-    t43inv = 1.0 / t43;
-    spind[i] = (v0d * T0 + v0 * T0d + (v1d * T1 + v1 * T1d) + (v2d * T2 + v2 * T2d) - spin[i] *
-        t43d) * t43inv;
+    re = re2;
+    red = re2d;
+    t43 = (v0 * T0 + v1 * T1 + v2 * T2) / re;
+    reinv = 1.0 / re;
+    t43d = (v0d * T0 + v0 * T0d + (v1d * T1 + v1 * T1d) + (v2d * T2 + v2 * T2d) - t43 * red) *
+        reinv;
+    t44 = b[body][3] * u0 + b[body][4] * u1 + b[body][5] * u2_2;
+    t44d = bd[body][3] * u0 + b[body][3] * u0d + (bd[body][4] * u1 + b[body][4] * u1d) +
+        (bd[body][5] * u2_2 + b[body][5] * u2_2d);
+    t44inv = 1.0 / t44;
+    spind[i] = (t43d - turnd - spin[i] * t44d) * t44inv;
   }
 }

@@ -683,12 +683,13 @@ void maggi_wheel_forces_dv(const maggi_topo *t, const double p[restrict t->np],
     z1 = c;
     z2_2 = w;
     z3_2 = h12;
-    Z_i3 = Z[t->wheelcarrier[i]][3];
-    wr0 = Z_i3;
-    Z_i4 = Z[t->wheelcarrier[i]][4];
-    wr1 = Z_i4;
-    Z_i5 = Z[t->wheelcarrier[i]][5];
-    wr2 = Z_i5;
+    Z_i3 = Z[t->wheelbody[i]][3];
+    Z_i4 = Z[t->wheelbody[i]][4];
+    Z_i5 = Z[t->wheelbody[i]][5];
+    omega = Z_i3 * u0 + Z_i4 * u1 + Z_i5 * u2_2;
+    wr0 = Z_i3 - omega * u0;
+    wr1 = Z_i4 - omega * u1;
+    wr2 = Z_i5 - omega * u2_2;
     vr0 = wr1 * arm2 - wr2 * arm1;
     vr1 = wr2 * arm0 - wr0 * arm2;
     vr2 = wr0 * arm1 - wr1 * arm0;
@@ -698,8 +699,6 @@ void maggi_wheel_forces_dv(const maggi_topo *t, const double p[restrict t->np],
     vx = slip[i][MAGGI_SLIP_VX];
     rhov = (z3_2 * v0 - (v0 * N0 + v1 * N1 + v2 * N2)) / z2_2;
     z2_2inv = 1.0 / z2_2;
-    omega = (Z[t->wheelbody[i]][3] - Z_i3) * u0 + (Z[t->wheelbody[i]][4] - Z_i4) * u1 +
-        (Z[t->wheelbody[i]][5] - Z_i5) * u2_2;
     fz = slip[i][MAGGI_SLIP_FZ];
     fz0 = p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_LFZO] * p[t->tyreadr[t->wheeltyre[i]]];
 #pragma omp simd
@@ -740,17 +739,20 @@ void maggi_wheel_forces_dv(const maggi_topo *t, const double p[restrict t->np],
       z1d[nd] = cd;
       z2_2d[nd] = wd;
       z3_2d = h12d[nd];
-      Z_i3d = Zd[t->wheelcarrier[i]][3][nd];
-      /* Slip and forces of a wheel.
-       *   V = v_C + w_carrier × r e,  Omega = (w - w_carrier).u,  rho = R0 - r,  rho' = -V.n / |u × n|
+      Z_i3d = Zd[t->wheelbody[i]][3][nd];
+      Z_i4d = Zd[t->wheelbody[i]][4][nd];
+      Z_i5d = Zd[t->wheelbody[i]][5][nd];
+      /* Slip and forces of a wheel.  V is the velocity of the place on the road below the wheel, which the turn of
+       * neither wheel nor carrier about the axis moves:
+       *   Omega = w.u,  V = v_C + (w - Omega u) × r e,  rho = R0 - r,  rho' = -V.n / |u × n|
        *   Fz = Cz rho + Cd rho'
        *   kappa = -(V.t - Omega Re) / |V.t|,  tan(alpha) = V.l / |V.t|,  sin(gamma) = u.n
        * No force without contact; without grip that of the spring alone, as at rest. */
-      wr0d = Z_i3d;
-      Z_i4d = Zd[t->wheelcarrier[i]][4][nd];
-      wr1d = Z_i4d;
-      Z_i5d = Zd[t->wheelcarrier[i]][5][nd];
-      wr2d = Z_i5d;
+      omegad[nd] = Z_i3d * u0 + Z_i3 * u0d[nd] + (Z_i4d * u1 + Z_i4 * u1d[nd]) + (Z_i5d * u2_2 +
+          Z_i5 * u2_2d[nd]);
+      wr0d = Z_i3d - (omegad[nd] * u0 + omega * u0d[nd]);
+      wr1d = Z_i4d - (omegad[nd] * u1 + omega * u1d[nd]);
+      wr2d = Z_i5d - (omegad[nd] * u2_2 + omega * u2_2d[nd]);
       vr0d = wr1d * arm2 + wr1 * arm2d[nd] - (wr2d * arm1 + wr2 * arm1d[nd]);
       vr1d = wr2d * arm0 + wr2 * arm0d[nd] - (wr0d * arm2 + wr0 * arm2d[nd]);
       vr2d = wr0d * arm1 + wr0 * arm1d[nd] - (wr1d * arm0 + wr1 * arm0d[nd]);
@@ -761,10 +763,6 @@ void maggi_wheel_forces_dv(const maggi_topo *t, const double p[restrict t->np],
           T2d[nd]);
       rhovd = (z3_2d * v0 + z3_2 * v0d[nd] - (v0d[nd] * N0 + v0 * N0d[nd] + v1d[nd] * N1 + (v2d[nd]
           * N2 + v2 * N2d[nd])) - rhov * z2_2d[nd]) * z2_2inv;
-      omegad[nd] = (Zd[t->wheelbody[i]][3][nd] - Z_i3d) * u0 + (Z[t->wheelbody[i]][3] - Z_i3) *
-          u0d[nd] + ((Zd[t->wheelbody[i]][4][nd] - Z_i4d) * u1 + (Z[t->wheelbody[i]][4] - Z_i4) *
-          u1d[nd]) + ((Zd[t->wheelbody[i]][5][nd] - Z_i5d) * u2_2 + (Z[t->wheelbody[i]][5] - Z_i5) *
-          u2_2d[nd]);
       fzd[nd] = pd[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_VERTICAL_STIFFNESS][nd] *
           (p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_UNLOADED_RADIUS] - z0) +
           p[t->tyreadr[t->wheeltyre[i]] + MAGGI_TYRE_VERTICAL_STIFFNESS] *
@@ -1911,9 +1909,9 @@ void maggi_wheel_forces_dv(const maggi_topo *t, const double p[restrict t->np],
   }
 }
 
-/* Rates of the coordinates on which wheels turn at which they roll freely, kappa = 0: with V the velocity of
- * the contact point on the carrier and w the velocity of the wheel by its coordinate
- *   v = V.t / (Re w.u) */
+/* Rates of the coordinates on which wheels turn at which they roll freely, kappa = 0: with w that of the
+ * carrier and w_q that of the wheel on it at the rate 1
+ *   v = (V.t / Re - w.u) / (w_q.u) */
 void maggi_rolling_dv(const maggi_topo *t, const double p[restrict t->np],
                       const double pd[restrict t->np][MAGGI_NDIR],
                       const double spline0[restrict t->nspline][3],
@@ -1931,27 +1929,28 @@ void maggi_rolling_dv(const maggi_topo *t, const double p[restrict t->np],
 {
   int adr, body, carrier, i, k4, k6, k7, k9, nd, road;
   double N0, N1, N2, T0, T1, T2, a, a2, a3, a4, along0, along1, along2, arm0, arm1, arm2, axis0,
-      axis1, axis2, b20, b3, b40, b41, b5, base, base2, c0, c1, c10, c11, c12, c13, c14, c15, c16,
-      c17, c18, c19, c2, c2_2, c3, c4, c5, c6, c7, c8, c9, e, e2, f, f2, fz, fz0, fz0inv, g0, g2, h,
-      h00, h0_2, h0_3, h10, h11, h12, h1_2, h1_3, h2, h2_2, h2_2inv, h2_3, h2_3inv, h2inv, h3, h3_2,
-      h3_2inv, h3inv, hinv, inv, inv2, inv3, k5, k8, n2, n2inv, normal0, normal1, normal2, p2, p3,
-      p4, p5, p6, p7, p_road, p_road2, p_road3, p_road4, p_road5, p_road6, p_roadk6, p_roadk61,
-      p_roadk9, p_roadk91, p_roadroad, p_roadroad2, r2, radius, radius2, ratio, re, rhov, s, s20,
-      s30, s31, sinv, slope, slope2, slope2_2, slope3, spline0_roadk60, spline0_roadk610,
-      spline0_roadk90, spline0_roadk910, t10, t11, t12, t13, t14, t14inv, t15, t16, t16inv, t17,
-      t18, t19, t2, t20, t21, t22, t23, t24, t24inv, t25, t26, t26inv, t27, t27inv, t28, t29, t3,
-      t30, t31, t32, t33, t34, t34inv, t35, t36, t36inv, t37, t38, t39, t4, t40, t41, t42, t43,
-      t43inv, t5, t6, t7, t7inv, t8, t9, t9inv, u0, u1, u2, u2_2, u3, ua0, ua1, ua2, un0, un1, un2,
-      v0, v1, v2, w0, w1, w2, w2_2, w2inv, w3, w4, way, way2, wr0, wr1, wr2, x, x2, x3, x4, y, y2,
-      z0, z2, z2_2, z2_2inv, z2_3, z2inv, z3, z3_2, z3_3, z3_3inv, z3inv;
+      axis1, axis2, b20, b3, b40, b41, b5, base, base2, c, c10, c11, c12, c13, c14, c15, c16, c17,
+      c18, c2, c3, c4, c5, c6, c7, c8, c9, e, e2, f, f2, fz, fz0, fz0inv, g0, g2, h, h00, h0_2,
+      h0_3, h10, h11, h12, h1_2, h1_3, h2, h2_2, h2_2inv, h2_3, h2_3inv, h2inv, h3, h3_2, h3_2inv,
+      h3inv, hinv, inv, inv2, inv3, k5, k8, n2, n2inv, normal0, normal1, normal2, p2, p3, p4, p5,
+      p6, p7, p_road, p_road2, p_road3, p_road4, p_road5, p_road6, p_roadk6, p_roadk61, p_roadk9,
+      p_roadk91, p_roadroad, p_roadroad2, r2, r_i0, r_i1, r_i2, radius, radius2, ratio, re, re2,
+      reinv, rhov, s, s20, s30, s31, sinv, slope, slope2, slope2_2, slope3, spline0_roadk60,
+      spline0_roadk610, spline0_roadk90, spline0_roadk910, t10, t11, t12, t13, t14, t14inv, t15,
+      t16, t16inv, t17, t18, t19, t2, t20, t21, t22, t23, t24, t24inv, t25, t26, t26inv, t27,
+      t27inv, t28, t29, t3, t30, t31, t32, t33, t34, t34inv, t35, t36, t36inv, t37, t38, t39, t4,
+      t40, t41, t42, t43, t44, t44inv, t5, t6, t7, t7inv, t8, t9, t9inv, turn, u0, u1, u2, u2_2, u3,
+      ua0, ua1, ua2, un0, un1, un2, v0, v1, v2, vc0, vc1, vc2, vr0, vr1, vr2, w0, w1, w2, w2_2,
+      w2inv, w3, w4, way, way2, wr0, wr1, wr2, x, x2, x3, x4, y, y2, z0, z2, z2_2, z2_2inv, z2_3,
+      z2inv, z3, z3_2, z3_3, z3_3inv, z3inv;
   double T0d[MAGGI_NDIR], T1d[MAGGI_NDIR], T2d[MAGGI_NDIR], b20d[MAGGI_NDIR], b40d[MAGGI_NDIR],
-      b41d[MAGGI_NDIR], base2d[MAGGI_NDIR], based[MAGGI_NDIR], c3d[MAGGI_NDIR], c5d[MAGGI_NDIR],
+      b41d[MAGGI_NDIR], base2d[MAGGI_NDIR], based[MAGGI_NDIR], c2d[MAGGI_NDIR], c4d[MAGGI_NDIR],
       f2d[MAGGI_NDIR], fd[MAGGI_NDIR], fz0d[MAGGI_NDIR], fzd[MAGGI_NDIR], g0d[MAGGI_NDIR],
       g2d[MAGGI_NDIR], h00d[MAGGI_NDIR], h10d[MAGGI_NDIR], h11d[MAGGI_NDIR], h12d[MAGGI_NDIR],
-      radius2d[MAGGI_NDIR], radiusd[MAGGI_NDIR], red[MAGGI_NDIR], s20d[MAGGI_NDIR],
-      s30d[MAGGI_NDIR], s31d[MAGGI_NDIR], u0d[MAGGI_NDIR], u1d[MAGGI_NDIR], u2_2d[MAGGI_NDIR],
-      v0d[MAGGI_NDIR], v1d[MAGGI_NDIR], v2d[MAGGI_NDIR], x2d[MAGGI_NDIR], x3d[MAGGI_NDIR],
-      x4d[MAGGI_NDIR], xd[MAGGI_NDIR], y2d[MAGGI_NDIR], yd[MAGGI_NDIR];
+      radius2d[MAGGI_NDIR], radiusd[MAGGI_NDIR], re2d[MAGGI_NDIR], s20d[MAGGI_NDIR],
+      s30d[MAGGI_NDIR], s31d[MAGGI_NDIR], turnd[MAGGI_NDIR], u0d[MAGGI_NDIR], u1d[MAGGI_NDIR],
+      u2_2d[MAGGI_NDIR], v0d[MAGGI_NDIR], v1d[MAGGI_NDIR], v2d[MAGGI_NDIR], x2d[MAGGI_NDIR],
+      x3d[MAGGI_NDIR], x4d[MAGGI_NDIR], xd[MAGGI_NDIR], y2d[MAGGI_NDIR], yd[MAGGI_NDIR];
 
   (void)nbdirs;
   for (i = 0; i < t->nwheel; ++i) {
@@ -1971,7 +1970,7 @@ void maggi_rolling_dv(const maggi_topo *t, const double p[restrict t->np],
         axis2;
     t2 = ua0 * ua0 + ua1 * ua1 + ua2 * ua2;
     n2 = sqrt(t2);
-    c7 = 1.0 / (2.0 * n2);
+    c6 = 1.0 / (2.0 * n2);
     u0 = ua0 / n2;
     n2inv = 1.0 / n2;
     u1 = ua1 / n2;
@@ -1996,7 +1995,7 @@ void maggi_rolling_dv(const maggi_topo *t, const double p[restrict t->np],
           (Ad[t->wheelbody[i]][7][nd] * axis1 + A[t->wheelbody[i]][7] * axis1d) +
           (Ad[t->wheelbody[i]][8][nd] * axis2 + A[t->wheelbody[i]][8] * axis2d);
       t2d = ua0d * ua0 + ua0 * ua0d + (ua1d * ua1 + ua1 * ua1d) + (ua2d * ua2 + ua2 * ua2d);
-      n2d = c7 * t2d;
+      n2d = c6 * t2d;
       u0d[nd] = (ua0d - u0 * n2d) * n2inv;
       u1d[nd] = (ua1d - u1 * n2d) * n2inv;
       u2_2d[nd] = (ua2d - u2_2 * n2d) * n2inv;
@@ -2023,7 +2022,7 @@ void maggi_rolling_dv(const maggi_topo *t, const double p[restrict t->np],
       inv = 1.0 / p[t->roadadr[road] + 1];
       t3 = k5 * x2;
       t4 = sin(t3);
-      c8 = cos(t3);
+      c7 = cos(t3);
       p_road2 = p[t->roadadr[road]];
       h00 = p_road2 * t4;
 #pragma omp simd
@@ -2032,7 +2031,7 @@ void maggi_rolling_dv(const maggi_topo *t, const double p[restrict t->np],
 
         k5d = -(k5 * pd[t->roadadr[road] + 1][nd] * inv);
         t3d = k5d * x2 + k5 * x2d[nd];
-        t4d = c8 * t3d;
+        t4d = c7 * t3d;
         p_road2d = pd[t->roadadr[road]][nd];
         h00d[nd] = p_road2d * t4 + p_road2 * t4d;
       }
@@ -2043,8 +2042,8 @@ void maggi_rolling_dv(const maggi_topo *t, const double p[restrict t->np],
       radius = p[t->roadadr[road]];
       base = radius - p[t->roadadr[road] + MAGGI_BUMPS_HEIGHT];
       t5 = radius * radius - base * base;
-      c3 = sqrt(t5);
-      c9 = 1.0 / (2.0 * c3);
+      c2 = sqrt(t5);
+      c8 = 1.0 / (2.0 * c2);
       f = 0.5 * p[t->roadadr[road] + MAGGI_BUMPS_FILLET];
 #pragma omp simd
       for (nd = 0; nd < MAGGI_NDIR; ++nd) {
@@ -2058,7 +2057,7 @@ void maggi_rolling_dv(const maggi_topo *t, const double p[restrict t->np],
         radiusd[nd] = pd[t->roadadr[road]][nd];
         based[nd] = radiusd[nd] - pd[t->roadadr[road] + MAGGI_BUMPS_HEIGHT][nd];
         t5d = radiusd[nd] * radius + radius * radiusd[nd] - (based[nd] * base + base * based[nd]);
-        c3d[nd] = c9 * t5d;
+        c2d[nd] = c8 * t5d;
         fd[nd] = 0.5 * pd[t->roadadr[road] + MAGGI_BUMPS_FILLET][nd];
       }
       if (MAGGI_RE(x3) > 0.0) {
@@ -2071,18 +2070,18 @@ void maggi_rolling_dv(const maggi_topo *t, const double p[restrict t->np],
       for (nd = 0; nd < MAGGI_NDIR; ++nd) {
         yd[nd] = way * x3d[nd];
       }
-      if (MAGGI_RE(y) >= MAGGI_RE(c3 + f)) {
+      if (MAGGI_RE(y) >= MAGGI_RE(c2 + f)) {
         b20 = 0.0;
 #pragma omp simd
         for (nd = 0; nd < MAGGI_NDIR; ++nd) {
           b20d[nd] = 0.0;
         }
-      } else if (MAGGI_RE(y) > MAGGI_RE(c3 - f)) {
-        t6 = radius * radius - (c3 - f) * (c3 - f);
+      } else if (MAGGI_RE(y) > MAGGI_RE(c2 - f)) {
+        t6 = radius * radius - (c2 - f) * (c2 - f);
         z2 = sqrt(t6);
-        c10 = 1.0 / (2.0 * z2);
+        c9 = 1.0 / (2.0 * z2);
         h0_2 = z2 - base;
-        h1_2 = 2.0 * f * (c3 - f) / z2;
+        h1_2 = 2.0 * f * (c2 - f) / z2;
         z2inv = 1.0 / z2;
         a = 3.0 * h0_2 - h1_2;
         t7 = z2 * z2 * z2;
@@ -2090,7 +2089,7 @@ void maggi_rolling_dv(const maggi_topo *t, const double p[restrict t->np],
         t7inv = 1.0 / t7;
         b3 = 6.0 * h0_2 - 3.0 * h1_2 - t8;
         t9 = 2.0 * f;
-        u2 = (c3 + f - y) / t9;
+        u2 = (c2 + f - y) / t9;
         t9inv = 1.0 / t9;
         w3 = 1.0 - u2;
         b20 = u2 * u2 * u2 * (h0_2 + w3 * (a + w3 * b3));
@@ -2098,18 +2097,18 @@ void maggi_rolling_dv(const maggi_topo *t, const double p[restrict t->np],
         for (nd = 0; nd < MAGGI_NDIR; ++nd) {
           double ad, b3d, h0_2d, h1_2d, t6d, t7d, t8d, t9d, u2d, w3d, z2d;
 
-          t6d = radiusd[nd] * radius + radius * radiusd[nd] - ((c3d[nd] - fd[nd]) * (c3 - f) + (c3 -
-              f) * (c3d[nd] - fd[nd]));
-          z2d = c10 * t6d;
+          t6d = radiusd[nd] * radius + radius * radiusd[nd] - ((c2d[nd] - fd[nd]) * (c2 - f) + (c2 -
+              f) * (c2d[nd] - fd[nd]));
+          z2d = c9 * t6d;
           h0_2d = z2d - based[nd];
-          h1_2d = (2.0 * fd[nd] * (c3 - f) + 2.0 * f * (c3d[nd] - fd[nd]) - h1_2 * z2d) * z2inv;
+          h1_2d = (2.0 * fd[nd] * (c2 - f) + 2.0 * f * (c2d[nd] - fd[nd]) - h1_2 * z2d) * z2inv;
           ad = 3.0 * h0_2d - h1_2d;
           t7d = (z2d * z2 + z2 * z2d) * z2 + z2 * z2 * z2d;
           t8d = (((2.0 * fd[nd] * f + 2.0 * f * fd[nd]) * radius + 2.0 * f * f * radiusd[nd]) *
               radius + 2.0 * f * f * radius * radiusd[nd] - t8 * t7d) * t7inv;
           b3d = 6.0 * h0_2d - 3.0 * h1_2d - t8d;
           t9d = 2.0 * fd[nd];
-          u2d = (c3d[nd] + fd[nd] - yd[nd] - u2 * t9d) * t9inv;
+          u2d = (c2d[nd] + fd[nd] - yd[nd] - u2 * t9d) * t9inv;
           w3d = -u2d;
           b20d[nd] = ((u2d * u2 + u2 * u2d) * u2 + u2 * u2 * u2d) * (h0_2 + w3 * (a + w3 * b3)) + u2
               * u2 * u2 * (h0_2d + (w3d * (a + w3 * b3) + w3 * (ad + (w3d * b3 + w3 * b3d))));
@@ -2117,14 +2116,14 @@ void maggi_rolling_dv(const maggi_topo *t, const double p[restrict t->np],
       } else {
         t10 = radius * radius - y * y;
         z2_3 = sqrt(t10);
-        c11 = 1.0 / (2.0 * z2_3);
+        c10 = 1.0 / (2.0 * z2_3);
         b20 = z2_3 - base;
 #pragma omp simd
         for (nd = 0; nd < MAGGI_NDIR; ++nd) {
           double t10d, z2_3d;
 
           t10d = radiusd[nd] * radius + radius * radiusd[nd] - (yd[nd] * y + y * yd[nd]);
-          z2_3d = c11 * t10d;
+          z2_3d = c10 * t10d;
           b20d[nd] = z2_3d - based[nd];
         }
       }
@@ -2186,7 +2185,7 @@ void maggi_rolling_dv(const maggi_topo *t, const double p[restrict t->np],
         p_roadk6 = p[t->roadadr[road] + k6];
         h3_2 = p_roadk61 - p_roadk6;
         a2 = p_roadk61 - x2;
-        c4 = x2 - p_roadk6;
+        c3 = x2 - p_roadk6;
         p4 = p[t->roadadr[road] + t->roadn[road] + k6];
         t13 = (p[t->roadadr[road] + t->roadn[road] + k6 + 1] - p4) / h3_2;
         h3_2inv = 1.0 / h3_2;
@@ -2194,19 +2193,19 @@ void maggi_rolling_dv(const maggi_topo *t, const double p[restrict t->np],
         spline0_roadk60 = spline0[t->roadspline[road] + k6][0];
         e = t13 - h3_2 / 6.0 * (spline0_roadk610 - spline0_roadk60);
         t14 = 6.0 * h3_2;
-        t15 = (spline0_roadk60 * a2 * a2 * a2 + spline0_roadk610 * c4 * c4 * c4) / t14;
+        t15 = (spline0_roadk60 * a2 * a2 * a2 + spline0_roadk610 * c3 * c3 * c3) / t14;
         t14inv = 1.0 / t14;
-        s20 = t15 + p4 - spline0_roadk60 * h3_2 * h3_2 / 6.0 + e * c4;
+        s20 = t15 + p4 - spline0_roadk60 * h3_2 * h3_2 / 6.0 + e * c3;
 #pragma omp simd
         for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-          double a2d, c4d, ed, h3_2d, p4d, p_roadk61d, p_roadk6d, spline0_roadk60d,
+          double a2d, c3d, ed, h3_2d, p4d, p_roadk61d, p_roadk6d, spline0_roadk60d,
               spline0_roadk610d, t13d, t14d, t15d;
 
           p_roadk61d = pd[t->roadadr[road] + k6 + 1][nd];
           p_roadk6d = pd[t->roadadr[road] + k6][nd];
           h3_2d = p_roadk61d - p_roadk6d;
           a2d = p_roadk61d - x2d[nd];
-          c4d = x2d[nd] - p_roadk6d;
+          c3d = x2d[nd] - p_roadk6d;
           p4d = pd[t->roadadr[road] + t->roadn[road] + k6][nd];
           t13d = (pd[t->roadadr[road] + t->roadn[road] + k6 + 1][nd] - p4d - t13 * h3_2d) * h3_2inv;
           spline0_roadk610d = spline0d[t->roadspline[road] + k6 + 1][0][nd];
@@ -2215,11 +2214,11 @@ void maggi_rolling_dv(const maggi_topo *t, const double p[restrict t->np],
               (spline0_roadk610d - spline0_roadk60d));
           t14d = 6.0 * h3_2d;
           t15d = (((spline0_roadk60d * a2 + spline0_roadk60 * a2d) * a2 + spline0_roadk60 * a2 *
-              a2d) * a2 + spline0_roadk60 * a2 * a2 * a2d + (((spline0_roadk610d * c4 +
-              spline0_roadk610 * c4d) * c4 + spline0_roadk610 * c4 * c4d) * c4 + spline0_roadk610 *
-              c4 * c4 * c4d) - t15 * t14d) * t14inv;
+              a2d) * a2 + spline0_roadk60 * a2 * a2 * a2d + (((spline0_roadk610d * c3 +
+              spline0_roadk610 * c3d) * c3 + spline0_roadk610 * c3 * c3d) * c3 + spline0_roadk610 *
+              c3 * c3 * c3d) - t15 * t14d) * t14inv;
           s20d[nd] = t15d + p4d - ((spline0_roadk60d * h3_2 + spline0_roadk60 * h3_2d) * h3_2 +
-              spline0_roadk60 * h3_2 * h3_2d) / 6.0 + (ed * c4 + e * c4d);
+              spline0_roadk60 * h3_2 * h3_2d) / 6.0 + (ed * c3 + e * c3d);
         }
       }
       h00 = s20;
@@ -2259,12 +2258,12 @@ void maggi_rolling_dv(const maggi_topo *t, const double p[restrict t->np],
       inv2 = 1.0 / p[t->roadadr[road] + 1];
       t18 = k8 * x;
       t19 = sin(t18);
-      c12 = cos(t18);
+      c11 = cos(t18);
       p_road5 = p[t->roadadr[road]];
       h10 = p_road5 * t19;
       t20 = k8 * x;
       t21 = cos(t20);
-      c13 = -sin(t20);
+      c12 = -sin(t20);
       h11 = k8 * p_road5 * t21;
       h12 = 0.0;
 #pragma omp simd
@@ -2273,11 +2272,11 @@ void maggi_rolling_dv(const maggi_topo *t, const double p[restrict t->np],
 
         k8d = -(k8 * pd[t->roadadr[road] + 1][nd] * inv2);
         t18d = k8d * x + k8 * xd[nd];
-        t19d = c12 * t18d;
+        t19d = c11 * t18d;
         p_road5d = pd[t->roadadr[road]][nd];
         h10d[nd] = p_road5d * t19 + p_road5 * t19d;
         t20d = k8d * x + k8 * xd[nd];
-        t21d = c13 * t20d;
+        t21d = c12 * t20d;
         h11d[nd] = (k8d * p_road5 + k8 * p_road5d) * t21 + k8 * p_road5 * t21d;
         h12d[nd] = 0.0;
       }
@@ -2288,8 +2287,8 @@ void maggi_rolling_dv(const maggi_topo *t, const double p[restrict t->np],
       radius2 = p[t->roadadr[road]];
       base2 = radius2 - p[t->roadadr[road] + MAGGI_BUMPS_HEIGHT];
       t22 = radius2 * radius2 - base2 * base2;
-      c5 = sqrt(t22);
-      c14 = 1.0 / (2.0 * c5);
+      c4 = sqrt(t22);
+      c13 = 1.0 / (2.0 * c4);
       f2 = 0.5 * p[t->roadadr[road] + MAGGI_BUMPS_FILLET];
 #pragma omp simd
       for (nd = 0; nd < MAGGI_NDIR; ++nd) {
@@ -2304,7 +2303,7 @@ void maggi_rolling_dv(const maggi_topo *t, const double p[restrict t->np],
         base2d[nd] = radius2d[nd] - pd[t->roadadr[road] + MAGGI_BUMPS_HEIGHT][nd];
         t22d = radius2d[nd] * radius2 + radius2 * radius2d[nd] - (base2d[nd] * base2 + base2 *
             base2d[nd]);
-        c5d[nd] = c14 * t22d;
+        c4d[nd] = c13 * t22d;
         f2d[nd] = 0.5 * pd[t->roadadr[road] + MAGGI_BUMPS_FILLET][nd];
       }
       if (MAGGI_RE(x4) > 0.0) {
@@ -2317,7 +2316,7 @@ void maggi_rolling_dv(const maggi_topo *t, const double p[restrict t->np],
       for (nd = 0; nd < MAGGI_NDIR; ++nd) {
         y2d[nd] = way2 * x4d[nd];
       }
-      if (MAGGI_RE(y2) >= MAGGI_RE(c5 + f2)) {
+      if (MAGGI_RE(y2) >= MAGGI_RE(c4 + f2)) {
         b40 = 0.0;
         b41 = 0.0;
 #pragma omp simd
@@ -2325,12 +2324,12 @@ void maggi_rolling_dv(const maggi_topo *t, const double p[restrict t->np],
           b40d[nd] = 0.0;
           b41d[nd] = 0.0;
         }
-      } else if (MAGGI_RE(y2) > MAGGI_RE(c5 - f2)) {
-        t23 = radius2 * radius2 - (c5 - f2) * (c5 - f2);
+      } else if (MAGGI_RE(y2) > MAGGI_RE(c4 - f2)) {
+        t23 = radius2 * radius2 - (c4 - f2) * (c4 - f2);
         z3 = sqrt(t23);
-        c15 = 1.0 / (2.0 * z3);
+        c14 = 1.0 / (2.0 * z3);
         h0_3 = z3 - base2;
-        h1_3 = 2.0 * f2 * (c5 - f2) / z3;
+        h1_3 = 2.0 * f2 * (c4 - f2) / z3;
         z3inv = 1.0 / z3;
         a3 = 3.0 * h0_3 - h1_3;
         t24 = z3 * z3 * z3;
@@ -2338,7 +2337,7 @@ void maggi_rolling_dv(const maggi_topo *t, const double p[restrict t->np],
         t24inv = 1.0 / t24;
         b5 = 6.0 * h0_3 - 3.0 * h1_3 - t25;
         t26 = 2.0 * f2;
-        u3 = (c5 + f2 - y2) / t26;
+        u3 = (c4 + f2 - y2) / t26;
         t26inv = 1.0 / t26;
         w4 = 1.0 - u3;
         b40 = u3 * u3 * u3 * (h0_3 + w4 * (a3 + w4 * b5));
@@ -2351,11 +2350,11 @@ void maggi_rolling_dv(const maggi_topo *t, const double p[restrict t->np],
         for (nd = 0; nd < MAGGI_NDIR; ++nd) {
           double a3d, b5d, h0_3d, h1_3d, t23d, t24d, t25d, t26d, t27d, t28d, u3d, w4d, z3d;
 
-          t23d = radius2d[nd] * radius2 + radius2 * radius2d[nd] - ((c5d[nd] - f2d[nd]) * (c5 - f2)
-              + (c5 - f2) * (c5d[nd] - f2d[nd]));
-          z3d = c15 * t23d;
+          t23d = radius2d[nd] * radius2 + radius2 * radius2d[nd] - ((c4d[nd] - f2d[nd]) * (c4 - f2)
+              + (c4 - f2) * (c4d[nd] - f2d[nd]));
+          z3d = c14 * t23d;
           h0_3d = z3d - base2d[nd];
-          h1_3d = (2.0 * f2d[nd] * (c5 - f2) + 2.0 * f2 * (c5d[nd] - f2d[nd]) - h1_3 * z3d) * z3inv;
+          h1_3d = (2.0 * f2d[nd] * (c4 - f2) + 2.0 * f2 * (c4d[nd] - f2d[nd]) - h1_3 * z3d) * z3inv;
           a3d = 3.0 * h0_3d - h1_3d;
           t24d = (z3d * z3 + z3 * z3d) * z3 + z3 * z3 * z3d;
           t25d = (((2.0 * f2d[nd] * f2 + 2.0 * f2 * f2d[nd]) * radius2 + 2.0 * f2 * f2 *
@@ -2363,7 +2362,7 @@ void maggi_rolling_dv(const maggi_topo *t, const double p[restrict t->np],
               t24inv;
           b5d = 6.0 * h0_3d - 3.0 * h1_3d - t25d;
           t26d = 2.0 * f2d[nd];
-          u3d = (c5d[nd] + f2d[nd] - y2d[nd] - u3 * t26d) * t26inv;
+          u3d = (c4d[nd] + f2d[nd] - y2d[nd] - u3 * t26d) * t26inv;
           w4d = -u3d;
           b40d[nd] = ((u3d * u3 + u3 * u3d) * u3 + u3 * u3 * u3d) * (h0_3 + w4 * (a3 + w4 * b5)) +
               u3 * u3 * u3 * (h0_3d + (w4d * (a3 + w4 * b5) + w4 * (a3d + (w4d * b5 + w4 * b5d))));
@@ -2377,7 +2376,7 @@ void maggi_rolling_dv(const maggi_topo *t, const double p[restrict t->np],
       } else {
         t29 = radius2 * radius2 - y2 * y2;
         z3_3 = sqrt(t29);
-        c16 = 1.0 / (2.0 * z3_3);
+        c15 = 1.0 / (2.0 * z3_3);
         b40 = z3_3 - base2;
         t30 = -x4 / z3_3;
         z3_3inv = 1.0 / z3_3;
@@ -2387,7 +2386,7 @@ void maggi_rolling_dv(const maggi_topo *t, const double p[restrict t->np],
           double t29d, t30d, z3_3d;
 
           t29d = radius2d[nd] * radius2 + radius2 * radius2d[nd] - (y2d[nd] * y2 + y2 * y2d[nd]);
-          z3_3d = c16 * t29d;
+          z3_3d = c15 * t29d;
           b40d[nd] = z3_3d - base2d[nd];
           t30d = (-x4d[nd] - t30 * z3_3d) * z3_3inv;
           b41d[nd] = t30d;
@@ -2459,7 +2458,7 @@ void maggi_rolling_dv(const maggi_topo *t, const double p[restrict t->np],
         p_roadk9 = p[t->roadadr[road] + k9];
         h2_3 = p_roadk91 - p_roadk9;
         a4 = p_roadk91 - x;
-        c6 = x - p_roadk9;
+        c5 = x - p_roadk9;
         p7 = p[t->roadadr[road] + t->roadn[road] + k9];
         t33 = (p[t->roadadr[road] + t->roadn[road] + k9 + 1] - p7) / h2_3;
         h2_3inv = 1.0 / h2_3;
@@ -2467,23 +2466,23 @@ void maggi_rolling_dv(const maggi_topo *t, const double p[restrict t->np],
         spline0_roadk90 = spline0[t->roadspline[road] + k9][0];
         e2 = t33 - h2_3 / 6.0 * (spline0_roadk910 - spline0_roadk90);
         t34 = 6.0 * h2_3;
-        t35 = (spline0_roadk90 * a4 * a4 * a4 + spline0_roadk910 * c6 * c6 * c6) / t34;
+        t35 = (spline0_roadk90 * a4 * a4 * a4 + spline0_roadk910 * c5 * c5 * c5) / t34;
         t34inv = 1.0 / t34;
-        s30 = t35 + p7 - spline0_roadk90 * h2_3 * h2_3 / 6.0 + e2 * c6;
+        s30 = t35 + p7 - spline0_roadk90 * h2_3 * h2_3 / 6.0 + e2 * c5;
         t36 = 2.0 * h2_3;
-        t37 = (spline0_roadk910 * c6 * c6 - spline0_roadk90 * a4 * a4) / t36;
+        t37 = (spline0_roadk910 * c5 * c5 - spline0_roadk90 * a4 * a4) / t36;
         t36inv = 1.0 / t36;
         s31 = t37 + e2;
 #pragma omp simd
         for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-          double a4d, c6d, e2d, h2_3d, p7d, p_roadk91d, p_roadk9d, spline0_roadk90d,
+          double a4d, c5d, e2d, h2_3d, p7d, p_roadk91d, p_roadk9d, spline0_roadk90d,
               spline0_roadk910d, t33d, t34d, t35d, t36d, t37d;
 
           p_roadk91d = pd[t->roadadr[road] + k9 + 1][nd];
           p_roadk9d = pd[t->roadadr[road] + k9][nd];
           h2_3d = p_roadk91d - p_roadk9d;
           a4d = p_roadk91d - xd[nd];
-          c6d = xd[nd] - p_roadk9d;
+          c5d = xd[nd] - p_roadk9d;
           p7d = pd[t->roadadr[road] + t->roadn[road] + k9][nd];
           t33d = (pd[t->roadadr[road] + t->roadn[road] + k9 + 1][nd] - p7d - t33 * h2_3d) * h2_3inv;
           spline0_roadk910d = spline0d[t->roadspline[road] + k9 + 1][0][nd];
@@ -2492,14 +2491,14 @@ void maggi_rolling_dv(const maggi_topo *t, const double p[restrict t->np],
               (spline0_roadk910d - spline0_roadk90d));
           t34d = 6.0 * h2_3d;
           t35d = (((spline0_roadk90d * a4 + spline0_roadk90 * a4d) * a4 + spline0_roadk90 * a4 *
-              a4d) * a4 + spline0_roadk90 * a4 * a4 * a4d + (((spline0_roadk910d * c6 +
-              spline0_roadk910 * c6d) * c6 + spline0_roadk910 * c6 * c6d) * c6 + spline0_roadk910 *
-              c6 * c6 * c6d) - t35 * t34d) * t34inv;
+              a4d) * a4 + spline0_roadk90 * a4 * a4 * a4d + (((spline0_roadk910d * c5 +
+              spline0_roadk910 * c5d) * c5 + spline0_roadk910 * c5 * c5d) * c5 + spline0_roadk910 *
+              c5 * c5 * c5d) - t35 * t34d) * t34inv;
           s30d[nd] = t35d + p7d - ((spline0_roadk90d * h2_3 + spline0_roadk90 * h2_3d) * h2_3 +
-              spline0_roadk90 * h2_3 * h2_3d) / 6.0 + (e2d * c6 + e2 * c6d);
+              spline0_roadk90 * h2_3 * h2_3d) / 6.0 + (e2d * c5 + e2 * c5d);
           t36d = 2.0 * h2_3d;
-          t37d = ((spline0_roadk910d * c6 + spline0_roadk910 * c6d) * c6 + spline0_roadk910 * c6 *
-              c6d - ((spline0_roadk90d * a4 + spline0_roadk90 * a4d) * a4 + spline0_roadk90 * a4 *
+          t37d = ((spline0_roadk910d * c5 + spline0_roadk910 * c5d) * c5 + spline0_roadk910 * c5 *
+              c5d - ((spline0_roadk90d * a4 + spline0_roadk90 * a4d) * a4 + spline0_roadk90 * a4 *
               a4d) - t37 * t36d) * t36inv;
           s31d[nd] = t37d + e2d;
         }
@@ -2516,47 +2515,54 @@ void maggi_rolling_dv(const maggi_topo *t, const double p[restrict t->np],
     }
     t38 = 1.0 + h11 * h11;
     s = sqrt(t38);
-    c17 = 1.0 / (2.0 * s);
+    c16 = 1.0 / (2.0 * s);
     normal0 = -h11 / s;
     sinv = 1.0 / s;
     normal1 = 0.0;
     normal2 = 1.0 / s;
-    c2 = u0 * normal0 + u1 * normal1 + u2_2 * normal2;
+    c = u0 * normal0 + u1 * normal1 + u2_2 * normal2;
     un0 = u1 * normal2 - u2_2 * normal1;
     un1 = u2_2 * normal0 - u0 * normal2;
     un2 = u0 * normal1 - u1 * normal0;
     t39 = un0 * un0 + un1 * un1 + un2 * un2;
     w2 = sqrt(t39);
-    c18 = 1.0 / (2.0 * w2);
+    c17 = 1.0 / (2.0 * w2);
     r2 = ((g0 - x) * normal0 + (g2 - h10) * normal2) / w2;
     w2inv = 1.0 / w2;
     along0 = un0 / w2;
     along1 = un1 / w2;
     along2 = un2 / w2;
-    arm0 = r2 * (c2 * u0 - normal0) / w2;
+    arm0 = r2 * (c * u0 - normal0) / w2;
     T0 = along0;
     N0 = normal0;
-    arm1 = r2 * (c2 * u1 - normal1) / w2;
+    arm1 = r2 * (c * u1 - normal1) / w2;
     T1 = along1;
     N1 = normal1;
-    arm2 = r2 * (c2 * u2_2 - normal2) / w2;
+    arm2 = r2 * (c * u2_2 - normal2) / w2;
     T2 = along2;
     N2 = normal2;
     z0 = r2;
     z2_2 = w2;
     z3_2 = h12;
-    c0 = r[t->wheelpoint[i]][0] + arm0;
-    c1 = r[t->wheelpoint[i]][1] + arm1;
-    c2_2 = r[t->wheelpoint[i]][2] + arm2;
-    wr0 = Z[carrier][3];
-    wr1 = Z[carrier][4];
-    wr2 = Z[carrier][5];
-    w0 = wr1 * c2_2 - wr2 * c1;
-    w1 = wr2 * c0 - wr0 * c2_2;
-    w2_2 = wr0 * c1 - wr1 * c0;
-    v0 = Z[carrier][0] + w0;
-    v1 = Z[carrier][1] + w1;
-    v2 = Z[carrier][2] + w2_2;
+    w0 = Z[carrier][3];
+    w1 = Z[carrier][4];
+    w2_2 = Z[carrier][5];
+    turn = w0 * u0 + w1 * u1 + w2_2 * u2_2;
+    wr0 = w0 - turn * u0;
+    wr1 = w1 - turn * u1;
+    wr2 = w2_2 - turn * u2_2;
+    r_i2 = r[t->wheelpoint[i]][2];
+    r_i1 = r[t->wheelpoint[i]][1];
+    vc0 = w1 * r_i2 - w2_2 * r_i1;
+    r_i0 = r[t->wheelpoint[i]][0];
+    vc1 = w2_2 * r_i0 - w0 * r_i2;
+    vc2 = w0 * r_i1 - w1 * r_i0;
+    vr0 = wr1 * arm2 - wr2 * arm1;
+    vr1 = wr2 * arm0 - wr0 * arm2;
+    vr2 = wr0 * arm1 - wr1 * arm0;
+    v0 = Z[carrier][0] + vc0 + vr0;
+    v1 = Z[carrier][1] + vc1 + vr1;
+    v2 = Z[carrier][2] + vc2 + vr2;
     rhov = (z3_2 * v0 - (v0 * N0 + v1 * N1 + v2 * N2)) / z2_2;
     z2_2inv = 1.0 / z2_2;
     fz = p[adr + MAGGI_TYRE_VERTICAL_STIFFNESS] * (p[adr + MAGGI_TYRE_UNLOADED_RADIUS] - z0) + p[adr
@@ -2564,51 +2570,59 @@ void maggi_rolling_dv(const maggi_topo *t, const double p[restrict t->np],
     fz0 = p[adr + MAGGI_TYRE_LFZO] * p[adr];
 #pragma omp simd
     for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-      double N0d, N2d, along0d, along1d, along2d, arm0d, arm1d, arm2d, c0d, c1d, c2_2d, c2d,
-          normal0d, normal2d, r2d, rhovd, sd, t38d, t39d, un0d, un1d, un2d, w0d, w1d, w2_2d, w2d,
-          wr0d, wr1d, wr2d, z0d, z2_2d, z3_2d;
+      double N0d, N2d, along0d, along1d, along2d, arm0d, arm1d, arm2d, cd, normal0d, normal2d, r2d,
+          r_i0d, r_i1d, r_i2d, rhovd, sd, t38d, t39d, un0d, un1d, un2d, vc0d, vc1d, vc2d, vr0d,
+          vr1d, vr2d, w0d, w1d, w2_2d, w2d, wr0d, wr1d, wr2d, z0d, z2_2d, z3_2d;
 
       t38d = h11d[nd] * h11 + h11 * h11d[nd];
-      sd = c17 * t38d;
+      sd = c16 * t38d;
       normal0d = (-h11d[nd] - normal0 * sd) * sinv;
       normal2d = -(normal2 * sd * sinv);
-      c2d = u0d[nd] * normal0 + u0 * normal0d + u1d[nd] * normal1 + (u2_2d[nd] * normal2 + u2_2 *
+      cd = u0d[nd] * normal0 + u0 * normal0d + u1d[nd] * normal1 + (u2_2d[nd] * normal2 + u2_2 *
           normal2d);
       un0d = u1d[nd] * normal2 + u1 * normal2d - u2_2d[nd] * normal1;
       un1d = u2_2d[nd] * normal0 + u2_2 * normal0d - (u0d[nd] * normal2 + u0 * normal2d);
       un2d = u0d[nd] * normal1 - (u1d[nd] * normal0 + u1 * normal0d);
       t39d = un0d * un0 + un0 * un0d + (un1d * un1 + un1 * un1d) + (un2d * un2 + un2 * un2d);
-      w2d = c18 * t39d;
+      w2d = c17 * t39d;
       r2d = ((g0d[nd] - xd[nd]) * normal0 + (g0 - x) * normal0d + ((g2d[nd] - h10d[nd]) * normal2 +
           (g2 - h10) * normal2d) - r2 * w2d) * w2inv;
       along0d = (un0d - along0 * w2d) * w2inv;
       along1d = (un1d - along1 * w2d) * w2inv;
       along2d = (un2d - along2 * w2d) * w2inv;
-      arm0d = (r2d * (c2 * u0 - normal0) + r2 * (c2d * u0 + c2 * u0d[nd] - normal0d) - arm0 * w2d) *
+      arm0d = (r2d * (c * u0 - normal0) + r2 * (cd * u0 + c * u0d[nd] - normal0d) - arm0 * w2d) *
           w2inv;
       T0d[nd] = along0d;
       N0d = normal0d;
-      arm1d = (r2d * (c2 * u1 - normal1) + r2 * (c2d * u1 + c2 * u1d[nd]) - arm1 * w2d) * w2inv;
+      arm1d = (r2d * (c * u1 - normal1) + r2 * (cd * u1 + c * u1d[nd]) - arm1 * w2d) * w2inv;
       T1d[nd] = along1d;
-      arm2d = (r2d * (c2 * u2_2 - normal2) + r2 * (c2d * u2_2 + c2 * u2_2d[nd] - normal2d) - arm2 *
+      arm2d = (r2d * (c * u2_2 - normal2) + r2 * (cd * u2_2 + c * u2_2d[nd] - normal2d) - arm2 *
           w2d) * w2inv;
       T2d[nd] = along2d;
       N2d = normal2d;
       z0d = r2d;
       z2_2d = w2d;
       z3_2d = h12d[nd];
-      c0d = rd[t->wheelpoint[i]][0][nd] + arm0d;
-      c1d = rd[t->wheelpoint[i]][1][nd] + arm1d;
-      c2_2d = rd[t->wheelpoint[i]][2][nd] + arm2d;
-      wr0d = Zd[carrier][3][nd];
-      wr1d = Zd[carrier][4][nd];
-      wr2d = Zd[carrier][5][nd];
-      w0d = wr1d * c2_2 + wr1 * c2_2d - (wr2d * c1 + wr2 * c1d);
-      w1d = wr2d * c0 + wr2 * c0d - (wr0d * c2_2 + wr0 * c2_2d);
-      w2_2d = wr0d * c1 + wr0 * c1d - (wr1d * c0 + wr1 * c0d);
-      v0d[nd] = Zd[carrier][0][nd] + w0d;
-      v1d[nd] = Zd[carrier][1][nd] + w1d;
-      v2d[nd] = Zd[carrier][2][nd] + w2_2d;
+      w0d = Zd[carrier][3][nd];
+      w1d = Zd[carrier][4][nd];
+      w2_2d = Zd[carrier][5][nd];
+      turnd[nd] = w0d * u0 + w0 * u0d[nd] + (w1d * u1 + w1 * u1d[nd]) + (w2_2d * u2_2 + w2_2 *
+          u2_2d[nd]);
+      wr0d = w0d - (turnd[nd] * u0 + turn * u0d[nd]);
+      wr1d = w1d - (turnd[nd] * u1 + turn * u1d[nd]);
+      wr2d = w2_2d - (turnd[nd] * u2_2 + turn * u2_2d[nd]);
+      r_i2d = rd[t->wheelpoint[i]][2][nd];
+      r_i1d = rd[t->wheelpoint[i]][1][nd];
+      vc0d = w1d * r_i2 + w1 * r_i2d - (w2_2d * r_i1 + w2_2 * r_i1d);
+      r_i0d = rd[t->wheelpoint[i]][0][nd];
+      vc1d = w2_2d * r_i0 + w2_2 * r_i0d - (w0d * r_i2 + w0 * r_i2d);
+      vc2d = w0d * r_i1 + w0 * r_i1d - (w1d * r_i0 + w1 * r_i0d);
+      vr0d = wr1d * arm2 + wr1 * arm2d - (wr2d * arm1 + wr2 * arm1d);
+      vr1d = wr2d * arm0 + wr2 * arm0d - (wr0d * arm2 + wr0 * arm2d);
+      vr2d = wr0d * arm1 + wr0 * arm1d - (wr1d * arm0 + wr1 * arm0d);
+      v0d[nd] = Zd[carrier][0][nd] + vc0d + vr0d;
+      v1d[nd] = Zd[carrier][1][nd] + vc1d + vr1d;
+      v2d[nd] = Zd[carrier][2][nd] + vc2d + vr2d;
       rhovd = (z3_2d * v0 + z3_2 * v0d[nd] - (v0d[nd] * N0 + v0 * N0d + v1d[nd] * N1 + (v2d[nd] * N2
           + v2 * N2d)) - rhov * z2_2d) * z2_2inv;
       fzd[nd] = pd[adr + MAGGI_TYRE_VERTICAL_STIFFNESS][nd] * (p[adr + MAGGI_TYRE_UNLOADED_RADIUS] -
@@ -2625,8 +2639,8 @@ void maggi_rolling_dv(const maggi_topo *t, const double p[restrict t->np],
       inv3 = 1.0 / p[adr + MAGGI_TYRE_VERTICAL_STIFFNESS];
       t41 = p[adr + MAGGI_TYRE_BREFF] * ratio;
       t42 = atan(t41);
-      c19 = 1.0 / (1.0 + t41 * t41);
-      re = p[adr + MAGGI_TYRE_UNLOADED_RADIUS] - t40 * (p[adr + MAGGI_TYRE_DREFF] * t42 + p[adr +
+      c18 = 1.0 / (1.0 + t41 * t41);
+      re2 = p[adr + MAGGI_TYRE_UNLOADED_RADIUS] - t40 * (p[adr + MAGGI_TYRE_DREFF] * t42 + p[adr +
           MAGGI_TYRE_FREFF] * ratio);
 #pragma omp simd
       for (nd = 0; nd < MAGGI_NDIR; ++nd) {
@@ -2635,30 +2649,34 @@ void maggi_rolling_dv(const maggi_topo *t, const double p[restrict t->np],
         ratiod = (fzd[nd] - ratio * fz0d[nd]) * fz0inv;
         t40d = (fz0d[nd] - t40 * pd[adr + MAGGI_TYRE_VERTICAL_STIFFNESS][nd]) * inv3;
         t41d = pd[adr + MAGGI_TYRE_BREFF][nd] * ratio + p[adr + MAGGI_TYRE_BREFF] * ratiod;
-        t42d = c19 * t41d;
-        red[nd] = pd[adr + MAGGI_TYRE_UNLOADED_RADIUS][nd] - (t40d * (p[adr + MAGGI_TYRE_DREFF] *
+        t42d = c18 * t41d;
+        re2d[nd] = pd[adr + MAGGI_TYRE_UNLOADED_RADIUS][nd] - (t40d * (p[adr + MAGGI_TYRE_DREFF] *
             t42 + p[adr + MAGGI_TYRE_FREFF] * ratio) + t40 * (pd[adr + MAGGI_TYRE_DREFF][nd] * t42 +
             p[adr + MAGGI_TYRE_DREFF] * t42d + (pd[adr + MAGGI_TYRE_FREFF][nd] * ratio + p[adr +
             MAGGI_TYRE_FREFF] * ratiod)));
       }
     } else {
-      re = p[adr + MAGGI_TYRE_UNLOADED_RADIUS];
+      re2 = p[adr + MAGGI_TYRE_UNLOADED_RADIUS];
 #pragma omp simd
       for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-        red[nd] = pd[adr + MAGGI_TYRE_UNLOADED_RADIUS][nd];
+        re2d[nd] = pd[adr + MAGGI_TYRE_UNLOADED_RADIUS][nd];
       }
     }
-    t43 = re * (b[body][3] * u0 + b[body][4] * u1 + b[body][5] * u2_2);
-    t43inv = 1.0 / t43;
+    re = re2;
+    t43 = (v0 * T0 + v1 * T1 + v2 * T2) / re;
+    reinv = 1.0 / re;
+    t44 = b[body][3] * u0 + b[body][4] * u1 + b[body][5] * u2_2;
+    t44inv = 1.0 / t44;
 #pragma omp simd
     for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-      double t43d;
+      double red, t43d, t44d;
 
-      t43d = red[nd] * (b[body][3] * u0 + b[body][4] * u1 + b[body][5] * u2_2) + re *
-          (bd[body][3][nd] * u0 + b[body][3] * u0d[nd] + (bd[body][4][nd] * u1 + b[body][4] *
-          u1d[nd]) + (bd[body][5][nd] * u2_2 + b[body][5] * u2_2d[nd]));
-      spind[i][nd] = (v0d[nd] * T0 + v0 * T0d[nd] + (v1d[nd] * T1 + v1 * T1d[nd]) + (v2d[nd] * T2 +
-          v2 * T2d[nd]) - spin[i] * t43d) * t43inv;
+      red = re2d[nd];
+      t43d = (v0d[nd] * T0 + v0 * T0d[nd] + (v1d[nd] * T1 + v1 * T1d[nd]) + (v2d[nd] * T2 + v2 *
+          T2d[nd]) - t43 * red) * reinv;
+      t44d = bd[body][3][nd] * u0 + b[body][3] * u0d[nd] + (bd[body][4][nd] * u1 + b[body][4] *
+          u1d[nd]) + (bd[body][5][nd] * u2_2 + b[body][5] * u2_2d[nd]);
+      spind[i][nd] = (t43d - turnd[nd] - spin[i] * t44d) * t44inv;
     }
   }
 }

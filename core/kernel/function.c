@@ -52,6 +52,28 @@ static void quintic(double time, double t0, double t1, double y0, double y1, dou
   }
 }
 
+/* y0, then its rate rises as a quintic step, h x^4 (5/2 - 3 x + x^2), then it is straight */
+static void ramp(double time, double t0, double t1, double y0, double rate, double f[3])
+{
+  double h, x;
+
+  h = t1 - t0;
+  x = (time - t0) / h;
+  if (MAGGI_RE(time) <= MAGGI_RE(t0)) {
+    f[0] = y0;
+    f[1] = 0.0;
+    f[2] = 0.0;
+  } else if (MAGGI_RE(time) >= MAGGI_RE(t1)) {
+    f[0] = y0 + rate * (time - 0.5 * (t0 + t1));
+    f[1] = rate;
+    f[2] = 0.0;
+  } else {
+    f[0] = y0 + rate * h * x * x * x * x * (2.5 + x * (-3.0 + x));
+    f[1] = rate * x * x * x * (10.0 + x * (-15.0 + 6.0 * x));
+    f[2] = rate / h * 30.0 * x * x * (1.0 + x * (-2.0 + x));
+  }
+}
+
 static void knots(int np, const double p[np], int adr, int n, double time, double f[3])
 {
   int k;
@@ -90,6 +112,8 @@ static void value(int kind, int np, const double p[np], int k, int n, int madr, 
     quintic(time, p[k], p[k + 1], p[k + 2], p[k + 3], f);
   } else if (kind == MAGGI_FUNCTION_KNOTS) {
     knots(np, p, k, n, time, f);
+  } else if (kind == MAGGI_FUNCTION_RAMP) {
+    ramp(time, p[k], p[k + 1], p[k + 2], p[k + 3], f);
   } else {
     maggi_spline_value(np, p, k, n, madr, nspline, m, time, f);
   }

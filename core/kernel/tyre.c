@@ -94,26 +94,27 @@ static void grip_forces(int adr, int np, const double p[np], double side,
   f[5] = side * force[5];
 }
 
-/* Slip and forces of a wheel.
- *   V = v_C + w_carrier × r e,  Omega = (w - w_carrier).u,  rho = R0 - r,  rho' = -V.n / |u × n|
+/* Slip and forces of a wheel.  V is the velocity of the place on the road below the wheel, which the turn of
+ * neither wheel nor carrier about the axis moves:
+ *   Omega = w.u,  V = v_C + (w - Omega u) × r e,  rho = R0 - r,  rho' = -V.n / |u × n|
  *   Fz = Cz rho + Cd rho'
  *   kappa = -(V.t - Omega Re) / |V.t|,  tan(alpha) = V.l / |V.t|,  sin(gamma) = u.n
  * No force without contact; without grip that of the spring alone, as at rest. */
 static void wheel(int adr, double side, int grip, int np, const double p[np], const double u[3],
-                  const double Z[6], const double Zc[6], const double cv[3], const double arm[3],
-                  const double T[3], const double L[3], const double N[3], const double z[4],
+                  const double Z[6], const double cv[3], const double arm[3], const double T[3],
+                  const double L[3], const double N[3], const double z[4],
                   double slip[MAGGI_SLIP_NUMBERS], double f[6])
 {
   int k;
   double re, fz, omega, vx, speed, rhov;
   double v[3], vr[3], wr[3];
 
-  for (k = 0; k < 3; ++k) wr[k] = Zc[k + 3];
+  omega = Z[3] * u[0] + Z[4] * u[1] + Z[5] * u[2];
+  for (k = 0; k < 3; ++k) wr[k] = Z[k + 3] - omega * u[k];
   maggi_cross(wr, arm, vr);
   for (k = 0; k < 3; ++k) v[k] = cv[k] + vr[k];
   vx = maggi_dot(v, T);
   rhov = (z[3] * v[0] - maggi_dot(v, N)) / z[2];
-  omega = (Z[3] - Zc[3]) * u[0] + (Z[4] - Zc[4]) * u[1] + (Z[5] - Zc[5]) * u[2];
   fz = C(VERTICAL_STIFFNESS) * (C(UNLOADED_RADIUS) - z[0]) + C(VERTICAL_DAMPING) * rhov;
   re = rolling_radius(np, p, adr, fz);
   speed = at_least(vx, C(VXLOW));
@@ -186,36 +187,38 @@ void maggi_wheel_forces(const maggi_topo *t, const double p[t->np],
   for (i = 0; i < t->nwheel; ++i) {
     stand(t, i, p, spline0, A, r, u, arm, T, L, N, z);
     wheel(t->tyreadr[t->wheeltyre[i]], t->wheelmirror[i] ? -1.0 : 1.0, t->wheelgrip[i], t->np, p, u,
-          Z[t->wheelbody[i]], Z[t->wheelcarrier[i]], rv[t->wheelpoint[i]], arm, T, L, N, z, slip[i],
-          f[i]);
+          Z[t->wheelbody[i]], rv[t->wheelpoint[i]], arm, T, L, N, z, slip[i], f[i]);
     wrench(f[i], r[t->wheelpoint[i]], arm, T, L, N, F[i]);
   }
 }
 
-/* Rates of the coordinates on which wheels turn at which they roll freely, kappa = 0: with V the velocity of
- * the contact point on the carrier and w the velocity of the wheel by its coordinate
- *   v = V.t / (Re w.u) */
+/* Rates of the coordinates on which wheels turn at which they roll freely, kappa = 0: with w that of the
+ * carrier and w_q that of the wheel on it at the rate 1
+ *   v = (V.t / Re - w.u) / (w_q.u) */
 void maggi_rolling(const maggi_topo *t, const double p[t->np], const double spline0[t->nspline][3],
                    const double A[t->nbody + 1][9], const double b[t->nbody][6],
                    const double r[t->npoint][3], const double Z[t->nbody + 1][6],
                    double spin[t->nwheel])
 {
   int i, k, adr, body, carrier;
-  double fz, rhov;
-  double u[3], arm[3], T[3], L[3], N[3], z[4], c[3], w[3], v[3], wr[3];
+  double turn, fz, rhov, re;
+  double u[3], arm[3], T[3], L[3], N[3], z[4], w[3], vc[3], vr[3], v[3], wr[3];
 
   for (i = 0; i < t->nwheel; ++i) {
     adr = t->tyreadr[t->wheeltyre[i]];
     body = t->wheelbody[i];
     carrier = t->wheelcarrier[i];
     stand(t, i, p, spline0, A, r, u, arm, T, L, N, z);
-    for (k = 0; k < 3; ++k) c[k] = r[t->wheelpoint[i]][k] + arm[k];
-    for (k = 0; k < 3; ++k) wr[k] = Z[carrier][k + 3];
-    maggi_cross(wr, c, w);
-    for (k = 0; k < 3; ++k) v[k] = Z[carrier][k] + w[k];
+    for (k = 0; k < 3; ++k) w[k] = Z[carrier][k + 3];
+    turn = maggi_dot(w, u);
+    for (k = 0; k < 3; ++k) wr[k] = w[k] - turn * u[k];
+    maggi_cross(w, r[t->wheelpoint[i]], vc);
+    maggi_cross(wr, arm, vr);
+    for (k = 0; k < 3; ++k) v[k] = Z[carrier][k] + vc[k] + vr[k];
     rhov = (z[3] * v[0] - maggi_dot(v, N)) / z[2];
     fz = C(VERTICAL_STIFFNESS) * (C(UNLOADED_RADIUS) - z[0]) + C(VERTICAL_DAMPING) * rhov;
-    spin[i] = maggi_dot(v, T) / (rolling_radius(t->np, p, adr, fz) *
-                                 (b[body][3] * u[0] + b[body][4] * u[1] + b[body][5] * u[2]));
+    re = rolling_radius(t->np, p, adr, fz);
+    spin[i] =
+        (maggi_dot(v, T) / re - turn) / (b[body][3] * u[0] + b[body][4] * u[1] + b[body][5] * u[2]);
   }
 }

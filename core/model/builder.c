@@ -166,7 +166,8 @@ static int own_function(maggi_builder *b, maggi_function_def *d)
 {
   if (d->type == MAGGI_FUNCTION_CONSTANT)
     d->number = 1;
-  else if (d->type == MAGGI_FUNCTION_SINE || d->type == MAGGI_FUNCTION_STEP)
+  else if (d->type == MAGGI_FUNCTION_SINE || d->type == MAGGI_FUNCTION_STEP ||
+           d->type == MAGGI_FUNCTION_RAMP)
     d->number = 4;
   if (d->type != MAGGI_FUNCTION_KNOTS && d->type != MAGGI_FUNCTION_SPLINE) d->times = NULL;
   d->values = maggi_arena_numbers(&b->arena, d->values, d->number);

@@ -326,7 +326,8 @@ maggi_status maggi_check_function(maggi_builder *b, const maggi_function_def *d)
           "function type %d does not exist", (int)d->type);
   if (d->type == MAGGI_FUNCTION_CONSTANT)
     n = 1;
-  else if (d->type == MAGGI_FUNCTION_SINE || d->type == MAGGI_FUNCTION_STEP)
+  else if (d->type == MAGGI_FUNCTION_SINE || d->type == MAGGI_FUNCTION_STEP ||
+           d->type == MAGGI_FUNCTION_RAMP)
     n = 4;
   else if (d->type == MAGGI_FUNCTION_POLYNOMIAL)
     REQUIRE(n >= 1, "functions", d->name, "a polynomial needs a coefficient");
@@ -334,7 +335,7 @@ maggi_status maggi_check_function(maggi_builder *b, const maggi_function_def *d)
     REQUIRE(n >= 2, "functions", d->name, "at least two points are needed, not %d", n);
   REQUIRE(d->values && maggi_all_finite(d->values, n), "functions", d->name,
           "a value is not finite");
-  if (d->type == MAGGI_FUNCTION_STEP)
+  if (d->type == MAGGI_FUNCTION_STEP || d->type == MAGGI_FUNCTION_RAMP)
     REQUIRE(d->values[1] > d->values[0], "functions", d->name, "t1 is not after t0");
   if (d->type == MAGGI_FUNCTION_KNOTS || d->type == MAGGI_FUNCTION_SPLINE) {
     REQUIRE(d->times && maggi_all_finite(d->times, n), "functions", d->name,

@@ -10,10 +10,11 @@
 
 static const char *const sine_names[] = {"amplitude", "omega", "phase", "offset"};
 static const char *const step_names[] = {"t0", "t1", "y0", "y1"};
+static const char *const ramp_names[] = {"t0", "t1", "y0", "rate"};
 
 static int add_function(maggi_compile *c, const maggi_function_def *d)
 {
-  int k, adr, first = -1;
+  int k, adr, is_ramp, first = -1;
   const char *unit;
 
   for (k = 0; d->times && k < d->number; ++k) {
@@ -30,10 +31,11 @@ static int add_function(maggi_compile *c, const maggi_function_def *d)
       unit = k == 1 ? "rad/s" : k == 2 ? "rad" : "-";
       adr = maggi_parameter_add(c, d->values[k], unit, MAGGI_BOUND_NONE, "functions.%s.%s", d->name,
                                 sine_names[k]);
-    } else if (d->type == MAGGI_FUNCTION_STEP) {
-      unit = k < 2 ? "s" : "-";
+    } else if (d->type == MAGGI_FUNCTION_STEP || d->type == MAGGI_FUNCTION_RAMP) {
+      is_ramp = d->type == MAGGI_FUNCTION_RAMP;
+      unit = k < 2 ? "s" : is_ramp && k == 3 ? "1/s" : "-";
       adr = maggi_parameter_add(c, d->values[k], unit, MAGGI_BOUND_NONE, "functions.%s.%s", d->name,
-                                step_names[k]);
+                                is_ramp ? ramp_names[k] : step_names[k]);
     } else if (d->type == MAGGI_FUNCTION_POLYNOMIAL) {
       adr = maggi_parameter_add(c, d->values[k], unit, MAGGI_BOUND_NONE,
                                 "functions.%s.coefficients.%d", d->name, k);

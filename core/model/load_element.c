@@ -241,16 +241,19 @@ maggi_status maggi_load_driver(const load_build *b, const load_driver *driver)
 
 maggi_status maggi_load_function(const load_build *b, const load_function *f)
 {
-  /* value; amplitude, omega, phase, offset; t0, t1, y0, y1; coefficients; times, values */
+  /* value; amplitude, omega, phase, offset; t0, t1, y0, y1; coefficients; times, values; rate */
   static const char *const rules[MAGGI_FUNCTION_TYPE_COUNT] = {
       [MAGGI_FUNCTION_CONSTANT] = "r",         [MAGGI_FUNCTION_POLYNOMIAL] = "---------r",
       [MAGGI_FUNCTION_SINE] = "-rroo",         [MAGGI_FUNCTION_STEP] = "-----rrrr",
-      [MAGGI_FUNCTION_KNOTS] = "----------rr", [MAGGI_FUNCTION_SPLINE] = "----------rr"};
-  const load_key keys[] = {
-      {KEY(f, value)},  {KEY(f, amplitude)},    {KEY(f, omega)}, {KEY(f, phase)},
-      {KEY(f, offset)}, {KEY(f, t0)},           {KEY(f, t1)},    {KEY(f, y0)},
-      {KEY(f, y1)},     {KEY(f, coefficients)}, {KEY(f, times)}, {KEY(f, values)},
-      {NULL, 0}};
+      [MAGGI_FUNCTION_KNOTS] = "----------rr", [MAGGI_FUNCTION_SPLINE] = "----------rr",
+      [MAGGI_FUNCTION_RAMP] = "-----rro----r"};
+  const load_key keys[] = {{KEY(f, value)},  {KEY(f, amplitude)},
+                           {KEY(f, omega)},  {KEY(f, phase)},
+                           {KEY(f, offset)}, {KEY(f, t0)},
+                           {KEY(f, t1)},     {KEY(f, y0)},
+                           {KEY(f, y1)},     {KEY(f, coefficients)},
+                           {KEY(f, times)},  {KEY(f, values)},
+                           {KEY(f, rate)},   {NULL, 0}};
   maggi_function_def def;
   double scalars[4] = {0.0, 0.0, 0.0, 0.0};
   int type;
@@ -284,6 +287,13 @@ maggi_status maggi_load_function(const load_build *b, const load_function *f)
     scalars[1] = *f->t1;
     scalars[2] = *f->y0;
     scalars[3] = *f->y1;
+    break;
+  case MAGGI_FUNCTION_RAMP:
+    def.number = 4;
+    scalars[0] = *f->t0;
+    scalars[1] = *f->t1;
+    scalars[2] = number_or_zero(f->y0);
+    scalars[3] = *f->rate;
     break;
   case MAGGI_FUNCTION_POLYNOMIAL:
     def.number = (int)f->coefficients_count;

@@ -204,6 +204,7 @@ typedef struct load_function {
   double *t1;
   double *y0;
   double *y1;
+  double *rate;
   double *coefficients;
   unsigned coefficients_count;
   double *times;

@@ -204,6 +204,7 @@ static const cyaml_schema_field_t function_keys[] = {
     OPT_REAL(load_function, t1),
     OPT_REAL(load_function, y0),
     OPT_REAL(load_function, y1),
+    OPT_REAL(load_function, rate),
     LIST(load_function, coefficients, real, 1, ANY_NUMBER),
     LIST(load_function, times, real, 1, ANY_NUMBER),
     LIST(load_function, values, real, 1, ANY_NUMBER),

@@ -10,8 +10,8 @@ static const char *const loop_words[] = {"spherical",   "revolute",  "universal"
 static const char *const force_words[] = {
     "force", "force_body", "torque",           "torque_body",
     "joint", "drag",       "speed_controller", "speed_controller_linear"};
-static const char *const function_words[] = {"constant", "polynomial", "sine",
-                                             "step",     "knots",      "spline"};
+static const char *const function_words[] = {"constant", "polynomial", "sine", "step",
+                                             "knots",    "spline",     "ramp"};
 static const char *const sensor_words[] = {"position",
                                            "velocity",
                                            "acceleration",

@@ -36,7 +36,7 @@ start: {equilibrium: true, hold: [R_CHASSIS.2, R_CHASSIS.3, R_CHASSIS.4, R_L_WHE
   R_R_WHEEL, R_R_WHEEL_2, F_L_WHEEL, F_R_WHEEL]}
 remove: [wheels.FL, wheels.FR, wheels.RLi, wheels.RLo, wheels.RRi, wheels.RRo, sensors.FL, sensors.FR, sensors.RLi,
   sensors.RLo, sensors.RRi, sensors.RRo, sensors.FL_slip, sensors.FR_slip, sensors.RLi_slip, sensors.RLo_slip,
-  sensors.RRi_slip, sensors.RRo_slip]
+  sensors.RRi_slip, sensors.RRo_slip, sensors.transfer_front, sensors.transfer_rear, sensors.transfer_dual]
 bodies:
   - name: L_STEER
     parent: F_CHASSIS

@@ -44,6 +44,8 @@ static long function(int kind, int n)
     return 32;
   case MAGGI_FUNCTION_SPLINE:
     return 37;
+  case MAGGI_FUNCTION_RAMP:
+    return 34;
   default:
     return 0;
   }

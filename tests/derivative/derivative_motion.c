@@ -244,7 +244,8 @@ static int is_near_kink(const state *m)
       return 1;
   }
   for (i = 0; i < t->nfun; ++i) {
-    n = t->funkind[i] == MAGGI_FUNCTION_STEP ? 2 : t->funn[i];
+    n = t->funkind[i] == MAGGI_FUNCTION_STEP || t->funkind[i] == MAGGI_FUNCTION_RAMP ? 2
+                                                                                     : t->funn[i];
     if (t->funkind[i] < MAGGI_FUNCTION_STEP) continue;
     for (k = 0; k < n; ++k)
       if (fabs(m->time - d->p[t->funadr[i] + k]) < 1e-3) return 1;

@@ -67,7 +67,7 @@ static void fill_signed(inputs *in, int n, double *x)
 /* number of ascending times of a function */
 static int times_of(const maggi_topo *t, int fun)
 {
-  if (t->funkind[fun] == MAGGI_FUNCTION_STEP) return 2;
+  if (t->funkind[fun] == MAGGI_FUNCTION_STEP || t->funkind[fun] == MAGGI_FUNCTION_RAMP) return 2;
   if (t->funkind[fun] == MAGGI_FUNCTION_KNOTS || t->funkind[fun] == MAGGI_FUNCTION_SPLINE)
     return t->funn[fun];
   return 0;

@@ -45,8 +45,7 @@ static void grid3(double x[3])
 {
   int k;
 
-  for (k = 0; k < 3; ++k)
-    x[k] = on_grid(x[k]);
+  for (k = 0; k < 3; ++k) x[k] = on_grid(x[k]);
 }
 
 static void direction(mech_random *g, double u[3])
@@ -55,8 +54,7 @@ static void direction(mech_random *g, double u[3])
   int k;
 
   do {
-    for (k = 0; k < 3; ++k)
-      u[k] = mech_uniform(g, -1.0, 1.0);
+    for (k = 0; k < 3; ++k) u[k] = mech_uniform(g, -1.0, 1.0);
     n = v3_norm(u);
   } while (n > 1.0 || n < 0.1);
   v3_unit(u, u);
@@ -84,8 +82,7 @@ static void across(const double n[3], double angle, double u[3])
   v3_cross(c, e, a);
   v3_unit(a, a);
   v3_cross(c, a, b);
-  for (k = 0; k < 3; ++k)
-    u[k] = cos(angle) * a[k] + sin(angle) * b[k];
+  for (k = 0; k < 3; ++k) u[k] = cos(angle) * a[k] + sin(angle) * b[k];
 }
 
 static void random_across(mech_random *g, const double n[3], double u[3])
@@ -97,8 +94,7 @@ static void scale3(double s, double a[3])
 {
   int k;
 
-  for (k = 0; k < 3; ++k)
-    a[k] *= s;
+  for (k = 0; k < 3; ++k) a[k] *= s;
 }
 
 const char *mech_kind_text(mech_kind kind)
@@ -123,17 +119,14 @@ static void random_inertia(mech_random *g, double mass, double size, double J[6]
   for (i = 0; i < 3; ++i) {
     direction(g, x);
     scale3(mech_uniform(g, 0.5, 1.0) * size, x);
-    for (k = 0; k < 3; ++k)
-      P[k] += mass * x[k] * x[k];
+    for (k = 0; k < 3; ++k) P[k] += mass * x[k] * x[k];
     P[3] += mass * x[0] * x[1];
     P[4] += mass * x[0] * x[2];
     P[5] += mass * x[1] * x[2];
   }
   trace = P[0] + P[1] + P[2];
-  for (k = 0; k < 3; ++k)
-    J[k] = trace - P[k];
-  for (k = 3; k < 6; ++k)
-    J[k] = -P[k];
+  for (k = 0; k < 3; ++k) J[k] = trace - P[k];
+  for (k = 3; k < 6; ++k) J[k] = -P[k];
 }
 
 static int new_body(mechanism *m, mech_random *g, int parent, maggi_joint_type joint,
@@ -149,8 +142,7 @@ static int new_body(mechanism *m, mech_random *g, int parent, maggi_joint_type j
   b->def.mass = mech_uniform(g, 0.3, 4.0);
   point_near(g, point, 0.1, 0.5, b->def.cog);
   random_inertia(g, b->def.mass, mech_uniform(g, 0.1, 0.3), b->def.inertia);
-  for (k = 0; k < MAGGI_JOINT_DOF_MAX; ++k)
-    b->motion[k] = -1;
+  for (k = 0; k < MAGGI_JOINT_DOF_MAX; ++k) b->motion[k] = -1;
   b->dof = maggi_joint_dof(joint);
   b->q = m->nq;
   m->nq += b->dof;
@@ -160,11 +152,11 @@ static int new_body(mechanism *m, mech_random *g, int parent, maggi_joint_type j
 static maggi_joint_type random_joint(mech_random *g)
 {
   static const maggi_joint_type bag[] = {
-      MAGGI_JOINT_REVOLUTE,    MAGGI_JOINT_REVOLUTE,    MAGGI_JOINT_REVOLUTE,
-      MAGGI_JOINT_REVOLUTE,    MAGGI_JOINT_REVOLUTE,    MAGGI_JOINT_PRISMATIC,
-      MAGGI_JOINT_PRISMATIC,   MAGGI_JOINT_CYLINDRICAL, MAGGI_JOINT_CYLINDRICAL,
-      MAGGI_JOINT_UNIVERSAL,   MAGGI_JOINT_UNIVERSAL,   MAGGI_JOINT_SPHERICAL,
-      MAGGI_JOINT_SPHERICAL,   MAGGI_JOINT_PLANAR,      MAGGI_JOINT_FIXED,
+      MAGGI_JOINT_REVOLUTE,  MAGGI_JOINT_REVOLUTE,    MAGGI_JOINT_REVOLUTE,
+      MAGGI_JOINT_REVOLUTE,  MAGGI_JOINT_REVOLUTE,    MAGGI_JOINT_PRISMATIC,
+      MAGGI_JOINT_PRISMATIC, MAGGI_JOINT_CYLINDRICAL, MAGGI_JOINT_CYLINDRICAL,
+      MAGGI_JOINT_UNIVERSAL, MAGGI_JOINT_UNIVERSAL,   MAGGI_JOINT_SPHERICAL,
+      MAGGI_JOINT_SPHERICAL, MAGGI_JOINT_PLANAR,      MAGGI_JOINT_FIXED,
       MAGGI_JOINT_FREE};
 
   return bag[mech_integer(g, (int)(sizeof bag / sizeof *bag))];
@@ -205,15 +197,13 @@ static int body_in_space(mechanism *m, mech_random *g, int parent)
     random_across(g, axis, axis2);
   }
   scale3(mech_uniform(g, 0.5, 3.0), axis);
-  if (joint == MAGGI_JOINT_REVOLUTE && chance(g, 0.2))
-    make_bar(g, &m->body[i].def);
+  if (joint == MAGGI_JOINT_REVOLUTE && chance(g, 0.2)) make_bar(g, &m->body[i].def);
   return i;
 }
 
 static int random_parent(const mechanism *m, mech_random *g, int first, double ground)
 {
-  if (m->nbody == first || chance(g, ground))
-    return MECH_GROUND;
+  if (m->nbody == first || chance(g, ground)) return MECH_GROUND;
   return chance(g, 0.5) ? m->nbody - 1 : first + mech_integer(g, m->nbody - first);
 }
 
@@ -221,8 +211,7 @@ static void tree_in_space(mechanism *m, mech_random *g, int n)
 {
   int first = m->nbody;
 
-  while (m->nbody < first + n)
-    body_in_space(m, g, random_parent(m, g, first, 0.08));
+  while (m->nbody < first + n) body_in_space(m, g, random_parent(m, g, first, 0.08));
 }
 
 static int body_in_plane(mechanism *m, mech_random *g, int parent, const double n[3])
@@ -239,10 +228,8 @@ static int body_in_plane(mechanism *m, mech_random *g, int parent, const double 
   i = new_body(m, g, parent, joint, point);
   d = &m->body[i].def;
   memcpy(d->axis, n, sizeof d->axis);
-  if (joint == MAGGI_JOINT_PRISMATIC)
-    random_across(g, n, d->axis);
-  if (joint == MAGGI_JOINT_PLANAR && chance(g, 0.5))
-    random_across(g, n, d->axis2);
+  if (joint == MAGGI_JOINT_PRISMATIC) random_across(g, n, d->axis);
+  if (joint == MAGGI_JOINT_PLANAR && chance(g, 0.5)) random_across(g, n, d->axis2);
   return i;
 }
 
@@ -250,8 +237,7 @@ static void tree_in_plane(mechanism *m, mech_random *g, int n, const double norm
 {
   int first = m->nbody;
 
-  while (m->nbody < first + n)
-    body_in_plane(m, g, random_parent(m, g, first, 0.15), normal);
+  while (m->nbody < first + n) body_in_plane(m, g, random_parent(m, g, first, 0.15), normal);
 }
 
 static int link_body(mechanism *m, mech_random *g, int parent, const double point[3],
@@ -283,8 +269,7 @@ static int depth_of(const mechanism *m, int body)
 {
   int n = 0;
 
-  for (; body != MECH_GROUND; body = m->body[body].parent)
-    ++n;
+  for (; body != MECH_GROUND; body = m->body[body].parent) ++n;
   return n;
 }
 
@@ -296,8 +281,7 @@ static int free_path(const mechanism *m, const int *used, int a, int b, int *lis
   while (a != b) {
     end = da >= db ? &a : &b;
     for (k = 0; k < m->body[*end].dof; ++k)
-      if (!used[m->body[*end].q + k])
-        list[n++] = m->body[*end].q + k;
+      if (!used[m->body[*end].q + k]) list[n++] = m->body[*end].q + k;
     *end = m->body[*end].parent;
     if (end == &a)
       --da;
@@ -317,8 +301,7 @@ static int choose_ends(const mechanism *m, mech_random *g, int first, int need, 
     *a = first + mech_integer(g, m->nbody - first);
     *b = chance(g, 0.3) ? MECH_GROUND : first + mech_integer(g, m->nbody - first);
     n = *a == *b ? 0 : free_path(m, used, *a, *b, list);
-    if (n <= need)
-      continue;
+    if (n <= need) continue;
     for (i = 0; i < need; ++i) {
       k = i + mech_integer(g, n - i);
       swap = list[i];
@@ -343,8 +326,7 @@ static void point_between(const mechanism *m, mech_random *g, int a, int b, doub
   const double *pb = b == MECH_GROUND ? zero : m->body[b].def.cog;
   int k;
 
-  for (k = 0; k < 3; ++k)
-    mid[k] = 0.5 * (pa[k] + pb[k]);
+  for (k = 0; k < 3; ++k) mid[k] = 0.5 * (pa[k] + pb[k]);
   point_near(g, mid, 0.2, 0.6, x);
 }
 
@@ -357,8 +339,7 @@ static void loops_in_space(mechanism *m, mech_random *g, int first, int n, int *
 
   for (i = 0; i < n && m->nloop < MECH_LOOPS; ++i) {
     type = mech_integer(g, MAGGI_LOOP_PRISMATIC + 1);
-    if (!choose_ends(m, g, first, need[type], used, &a, &b))
-      continue;
+    if (!choose_ends(m, g, first, need[type], used, &a, &b)) continue;
     point_between(m, g, a, b, x);
     direction(g, axis);
     l = new_loop(m, (maggi_loop_type)type, a, b, x, axis);
@@ -383,15 +364,13 @@ static void rods(mechanism *m, mech_random *g, int first, int n, int *used)
   int i, a, b;
 
   for (i = 0; i < n && m->nrod < MECH_RODS; ++i) {
-    if (!choose_ends(m, g, first, 1, used, &a, &b))
-      continue;
+    if (!choose_ends(m, g, first, 1, used, &a, &b)) continue;
     r = &m->rod[m->nrod++];
     maggi_rod_def_init(&r->def);
     r->a = a;
     r->b = b;
     point_near(g, a == MECH_GROUND ? zero : m->body[a].def.cog, 0.1, 0.4, r->def.point_a);
-    do
-      point_near(g, b == MECH_GROUND ? zero : m->body[b].def.cog, 0.1, 0.4, r->def.point_b);
+    do point_near(g, b == MECH_GROUND ? zero : m->body[b].def.cog, 0.1, 0.4, r->def.point_b);
     while (fabs(r->def.point_a[0] - r->def.point_b[0]) < 0.1);
     r->def.mass = chance(g, 0.3) ? 0.0 : mech_uniform(g, 0.2, 3.0);
   }
@@ -406,18 +385,15 @@ static void loops_in_plane(mechanism *m, mech_random *g, int first, int n, const
   int i, a, b, type;
 
   for (i = 0; i < n && m->nloop < MECH_LOOPS; ++i) {
-    if (!choose_ends(m, g, first, 2, used, &a, &b))
-      continue;
+    if (!choose_ends(m, g, first, 2, used, &a, &b)) continue;
     point_between(m, g, a, b, x);
     type = mech_integer(g, MAGGI_LOOP_PRISMATIC + 1);
-    if (chance(g, 0.4))
-      type = MAGGI_LOOP_REVOLUTE;
+    if (chance(g, 0.4)) type = MAGGI_LOOP_REVOLUTE;
     memcpy(axis, normal, sizeof axis);
     if (type == MAGGI_LOOP_PRISMATIC || (type == MAGGI_LOOP_CYLINDRICAL && chance(g, 0.5)))
       random_across(g, normal, axis);
     l = new_loop(m, (maggi_loop_type)type, a, b, x, axis);
-    if (type == MAGGI_LOOP_UNIVERSAL)
-      random_across(g, normal, l->def.axis_b);
+    if (type == MAGGI_LOOP_UNIVERSAL) random_across(g, normal, l->def.axis_b);
   }
 }
 
@@ -522,8 +498,7 @@ static void hinges(mechanism *m, mech_random *g)
   for (i = 0; i < m->nbody && m->nloop < MECH_LOOPS; ++i) {
     maggi_body_def *d = &m->body[i].def;
 
-    if (!chance(g, 0.6))
-      continue;
+    if (!chance(g, 0.6)) continue;
     if (d->joint == MAGGI_JOINT_REVOLUTE) {
       grid3(d->axis);
       v3_axpy(d->point, 0.5, d->axis, x);
@@ -562,8 +537,7 @@ static void add_springs(mechanism *m, mech_random *g, int n)
     maggi_spring_def_init(&s->def);
     s->a = random_end(m, g);
     s->b = random_end(m, g);
-    if (s->a == s->b)
-      continue;
+    if (s->a == s->b) continue;
     do {
       point_near(g, middle_of(m, s->a), 0.2, 0.8, s->def.point_a);
       point_near(g, middle_of(m, s->b), 0.2, 0.8, s->def.point_b);
@@ -577,8 +551,7 @@ static void add_springs(mechanism *m, mech_random *g, int n)
     s->def.damping = chance(g, 0.5) ? mech_uniform(g, 0.1, 2.0) : 0.0;
     if (chance(g, 0.25)) {
       s->def.has_slopes = 1;
-      for (k = 0; k < 4; ++k)
-        s->def.c[k] = mech_uniform(g, 0.1, 3.0);
+      for (k = 0; k < 4; ++k) s->def.c[k] = mech_uniform(g, 0.1, 3.0);
       s->def.v11 = mech_uniform(g, 0.1, 0.5);
       s->def.v22 = -mech_uniform(g, 0.1, 0.5);
     }
@@ -590,8 +563,7 @@ int mech_body_of(const mechanism *m, int q)
 {
   int i = 0;
 
-  while (q >= m->body[i].q + m->body[i].dof)
-    ++i;
+  while (q >= m->body[i].q + m->body[i].dof) ++i;
   return i;
 }
 
@@ -605,8 +577,7 @@ static void add_joint_springs(mechanism *m, mech_random *g, int n)
     maggi_joint_spring_def_init(&s->def);
     s->q = mech_integer(g, m->nq);
     s->q2 = chance(g, 0.3) ? mech_integer(g, m->nq) : -1;
-    if (s->q2 == s->q)
-      s->q2 = -1;
+    if (s->q2 == s->q) s->q2 = -1;
     s->def.stiffness = mech_uniform(g, 1.0, 20.0);
     s->def.damping = chance(g, 0.5) ? mech_uniform(g, 0.05, 1.0) : 0.0;
     s->def.rest = mech_uniform(g, -0.3, 0.3);
@@ -629,15 +600,14 @@ static int new_function(mechanism *m, mech_random *g, maggi_function_type type, 
     y[0] = from_zero ? 0.0 : mech_uniform(g, -size, size);
   } else if (type == MAGGI_FUNCTION_POLYNOMIAL) {
     f->def.number = 4;
-    for (k = 0; k < 4; ++k)
-      y[k] = k == 0 && from_zero ? 0.0 : mech_uniform(g, -size, size);
+    for (k = 0; k < 4; ++k) y[k] = k == 0 && from_zero ? 0.0 : mech_uniform(g, -size, size);
   } else if (type == MAGGI_FUNCTION_SINE) {
     f->def.number = 4;
     y[0] = mech_uniform(g, 0.3 * size, size);
     y[1] = mech_uniform(g, 1.0, 6.0);
     y[2] = mech_uniform(g, -1.0, 1.0);
     y[3] = from_zero ? -y[0] * sin(y[2]) : mech_uniform(g, -size, size);
-  } else if (type == MAGGI_FUNCTION_STEP) {
+  } else if (type == MAGGI_FUNCTION_STEP || type == MAGGI_FUNCTION_RAMP) {
     f->def.number = 4;
     y[0] = mech_uniform(g, -0.3, 0.0);
     y[1] = mech_uniform(g, 0.3, 0.6);
@@ -662,23 +632,19 @@ static void add_forces(mechanism *m, mech_random *g, int n)
     f = &m->force[m->nforce++];
     maggi_force_def_init(&f->def);
     f->def.type = (maggi_force_type)mech_integer(g, MAGGI_FORCE_DRAG + 1);
-    if (m->nq == 0)
-      f->def.type = MAGGI_FORCE_GLOBAL;
+    if (m->nq == 0) f->def.type = MAGGI_FORCE_GLOBAL;
     f->body = mech_integer(g, m->nbody);
     f->reaction = chance(g, 0.5) ? mech_integer(g, m->nbody) : MECH_GROUND;
-    if (f->reaction == f->body)
-      f->reaction = MECH_GROUND;
+    if (f->reaction == f->body) f->reaction = MECH_GROUND;
     f->q = m->nq > 0 ? mech_integer(g, m->nq) : 0;
     point_near(g, middle_of(m, f->body), 0.1, 0.6, f->def.point);
-    for (k = 0; k < 3; ++k)
-      f->def.value[k] = mech_uniform(g, -5.0, 5.0);
+    for (k = 0; k < 3; ++k) f->def.value[k] = mech_uniform(g, -5.0, 5.0);
     if (f->def.type == MAGGI_FORCE_DRAG) {
       f->def.density = mech_uniform(g, 0.5, 1.5);
       f->def.coefficient = mech_uniform(g, 0.3, 1.2);
       f->def.area = mech_uniform(g, 0.2, 1.0);
       f->def.low_speed = mech_uniform(g, 0.1, 0.5);
-      for (k = 0; k < 3; ++k)
-        f->def.wind[k] = mech_uniform(g, -3.0, 3.0);
+      for (k = 0; k < 3; ++k) f->def.wind[k] = mech_uniform(g, -3.0, 3.0);
     }
     f->function = -1;
     if (m->nfunction < MECH_FUNCTIONS && chance(g, 0.4)) {
@@ -702,8 +668,7 @@ static void add_controller(mechanism *m, mech_random *g)
   f->q2 = mech_integer(g, m->nq);
   a = &m->body[mech_body_of(m, f->q)];
   b = &m->body[mech_body_of(m, f->q2)];
-  if (f->q == f->q2 || a->def.joint != MAGGI_JOINT_REVOLUTE ||
-      b->def.joint != MAGGI_JOINT_REVOLUTE)
+  if (f->q == f->q2 || a->def.joint != MAGGI_JOINT_REVOLUTE || b->def.joint != MAGGI_JOINT_REVOLUTE)
     f->q2 = -1;
   point_near(g, middle_of(m, f->body), 0.1, 0.6, f->def.point);
   f->def.speed = mech_uniform(g, 0.0, 3.0);
@@ -793,8 +758,7 @@ static void add_guides(mechanism *m, mech_random *g, int n, const int *used, int
   for (i = 0; i < 20 * n && m->nfunction < n; ++i) {
     q = mech_integer(g, m->nq);
     b = &m->body[mech_body_of(m, q)];
-    if (!used[q] && b->motion[q - b->q] < 0)
-      guide(m, g, q, from_zero);
+    if (!used[q] && b->motion[q - b->q] < 0) guide(m, g, q, from_zero);
   }
 }
 
@@ -860,8 +824,7 @@ void mech_generate(uint64_t seed, int attempt, mechanism *m)
     break;
   case MECH_TREE_GUIDED:
     tree_in_space(m, g, n);
-    if (m->nq > 1)
-      add_guides(m, g, 1 + mech_integer(g, m->nq < 5 ? m->nq - 1 : 4), used, 0);
+    if (m->nq > 1) add_guides(m, g, 1 + mech_integer(g, m->nq < 5 ? m->nq - 1 : 4), used, 0);
     break;
   case MECH_FLOATING:
     free_base(m, g);
@@ -873,8 +836,7 @@ void mech_generate(uint64_t seed, int attempt, mechanism *m)
     tree_in_space(m, g, n < 4 ? 4 : n);
     loops_in_space(m, g, 0, 1 + n / 4, used);
     rods(m, g, 0, mech_integer(g, 3), used);
-    if (m->kind == MECH_LOOPS_OPEN)
-      open_loops(m, g);
+    if (m->kind == MECH_LOOPS_OPEN) open_loops(m, g);
     break;
   case MECH_LOOPS_RODS:
     tree_in_space(m, g, n);
@@ -892,8 +854,7 @@ void mech_generate(uint64_t seed, int attempt, mechanism *m)
     tree_in_plane(m, g, n < 4 ? 4 : n, normal);
     loops_in_plane(m, g, 0, 1 + n / 4, normal, used);
     rods(m, g, 0, mech_integer(g, 3), used);
-    if (m->kind == MECH_PLANE_GUIDED)
-      add_guides(m, g, 1 + mech_integer(g, 2), used, 1);
+    if (m->kind == MECH_PLANE_GUIDED) add_guides(m, g, 1 + mech_integer(g, 2), used, 1);
     break;
   case MECH_PARALLELOGRAMS:
     parallelograms(m, g, (n - 1) / 2);
@@ -902,13 +863,11 @@ void mech_generate(uint64_t seed, int attempt, mechanism *m)
     first = 3 + mech_integer(g, 5);
     platform(m, g, first < n ? first : 3);
     memcpy(normal, m->body[0].def.axis, sizeof normal);
-    while (m->nbody < n)
-      body_in_plane(m, g, mech_integer(g, m->nbody), normal);
+    while (m->nbody < n) body_in_plane(m, g, mech_integer(g, m->nbody), normal);
     break;
   case MECH_SARRUS:
     sarrus(m, g, 2 + mech_integer(g, 3));
-    while (m->nbody < n)
-      body_in_space(m, g, mech_integer(g, m->nbody));
+    while (m->nbody < n) body_in_space(m, g, mech_integer(g, m->nbody));
     break;
   case MECH_HINGES:
     tree_in_space(m, g, n);
@@ -925,10 +884,8 @@ void mech_generate(uint64_t seed, int attempt, mechanism *m)
   }
   add_elements(m, g);
   add_forces(m, g, mech_integer(g, MECH_FORCES - 1));
-  if (chance(g, 0.2) && m->kind == MECH_FLOATING)
-    memset(m->gravity, 0, sizeof m->gravity);
+  if (chance(g, 0.2) && m->kind == MECH_FLOATING) memset(m->gravity, 0, sizeof m->gravity);
   /* last, so that a seed goes on to mean the same motion */
   add_more_sensors(m, g);
-  if (m->nq > 0 && chance(g, 0.3))
-    add_controller(m, g);
+  if (m->nq > 0 && chance(g, 0.3)) add_controller(m, g);
 }

@@ -16,8 +16,7 @@ static void joint_axes(const maggi_body_def *d, double axis[][3], int *turns)
   double n[3], e[3] = {0.0, 0.0, 0.0};
   int k, least;
 
-  for (k = 0; k < MAGGI_JOINT_DOF_MAX; ++k)
-    turns[k] = 1;
+  for (k = 0; k < MAGGI_JOINT_DOF_MAX; ++k) turns[k] = 1;
   switch (d->joint) {
   case MAGGI_JOINT_REVOLUTE:
   case MAGGI_JOINT_PRISMATIC:
@@ -86,8 +85,7 @@ static void shift(mech_pose *b, const double u[3], double z, double zv, double z
   double s[3], c[3], cc[3], co[3];
   int k;
 
-  for (k = 0; k < 3; ++k)
-    s[k] = u[k] * z;
+  for (k = 0; k < 3; ++k) s[k] = u[k] * z;
   v3_cross(b->w, s, c);
   v3_cross(b->w, c, cc);
   v3_cross(b->w, u, co);
@@ -149,12 +147,10 @@ void mech_motion(const mechanism *m, const double *q, const double *v, const dou
   while (n < m->nbody) {
     for (i = 0; i < m->nbody; ++i) {
       b = &m->body[i];
-      if (done[i] || (b->parent != MECH_GROUND && !done[b->parent]))
-        continue;
+      if (done[i] || (b->parent != MECH_GROUND && !done[b->parent])) continue;
       up = b->parent == MECH_GROUND ? &ground : &pose[b->parent];
       memcpy(r, b->def.point, sizeof r);
-      if (b->parent != MECH_GROUND)
-        v3_axpy(r, -1.0, m->body[b->parent].def.point, r);
+      if (b->parent != MECH_GROUND) v3_axpy(r, -1.0, m->body[b->parent].def.point, r);
       m3_mul(up->A, r, x);
       v3_axpy(up->o, 1.0, x, x);
       chain(b, up, x, q + b->q, v + b->q, a ? a + b->q : NULL, &pose[i]);
@@ -232,11 +228,9 @@ static void rotate_euler(const double R[9], const double q[3], const double v[3]
   int i, k;
 
   euler(q, E, A);
-  for (k = 0; k < 3; ++k)
-    v3_axpy(w, v[k], E[k], w);
+  for (k = 0; k < 3; ++k) v3_axpy(w, v[k], E[k], w);
   for (i = 0; i < 3; ++i)
-    for (k = 0; k < 3; ++k)
-      Rt[3 * i + k] = R[3 * k + i];
+    for (k = 0; k < 3; ++k) Rt[3 * i + k] = R[3 * k + i];
   m3_mul3(R, A, B);
   m3_mul3(B, Rt, A);
   m3_mul(R, w, w2);
@@ -254,11 +248,9 @@ static void rotate_shift(const double R[9], int n, double axis[][3], double axis
   double x[3] = {0.0, 0.0, 0.0}, y[3];
   int k;
 
-  for (k = 0; k < n; ++k)
-    v3_axpy(x, q[k], axis[k], x);
+  for (k = 0; k < n; ++k) v3_axpy(x, q[k], axis[k], x);
   m3_mul(R, x, y);
-  for (k = 0; k < n; ++k)
-    q2[k] = v3_dot(axis2[k], y);
+  for (k = 0; k < n; ++k) q2[k] = v3_dot(axis2[k], y);
 }
 
 void mech_rotate_state(const mechanism *m, const mechanism *turned, const double R[9],
@@ -315,8 +307,7 @@ static void spline(int n, const double *x, const double *f, double t, double y[3
            h;
   }
   c[n - 1] = 0.0;
-  for (i = n - 2; i >= 1; --i)
-    c[i] = c[i] * c[i + 1] + u[i];
+  for (i = n - 2; i >= 1; --i) c[i] = c[i] * c[i + 1] + u[i];
   c[0] = 0.0;
   for (i = 0; i < n - 2 && t > x[i + 1]; ++i)
     ;
@@ -324,8 +315,8 @@ static void spline(int n, const double *x, const double *f, double t, double y[3
   r = t < x[0] ? x[0] : t > x[n - 1] ? x[n - 1] : t;
   l = (x[i + 1] - r) / h;
   p = 1.0 - l;
-  y[0] = l * f[i] + p * f[i + 1] +
-         ((l * l * l - l) * c[i] + (p * p * p - p) * c[i + 1]) * h * h / 6.0;
+  y[0] =
+      l * f[i] + p * f[i + 1] + ((l * l * l - l) * c[i] + (p * p * p - p) * c[i + 1]) * h * h / 6.0;
   y[1] = (f[i + 1] - f[i]) / h +
          ((3.0 * p * p - 1.0) * c[i + 1] - (3.0 * l * l - 1.0) * c[i]) * h / 6.0;
   y[2] = r == t ? l * c[i] + p * c[i + 1] : 0.0;
@@ -335,6 +326,7 @@ static void spline(int n, const double *x, const double *f, double t, double y[3
 void mech_function_value(const mech_function *f, double t, double y[3])
 {
   const double *c = f->values;
+  double rate[3], x;
   int k, n = f->def.number;
 
   y[0] = y[1] = y[2] = 0.0;
@@ -356,6 +348,14 @@ void mech_function_value(const mech_function *f, double t, double y[3])
     break;
   case MAGGI_FUNCTION_STEP:
     quintic(c[0], c[1], c[2], c[3], t, y);
+    break;
+  case MAGGI_FUNCTION_RAMP:
+    quintic(c[0], c[1], 0.0, c[3], t, rate);
+    x = fmin(fmax((t - c[0]) / (c[1] - c[0]), 0.0), 1.0);
+    y[0] =
+        c[2] + c[3] * ((c[1] - c[0]) * pow(x, 4) * (2.5 - 3.0 * x + x * x) + fmax(t - c[1], 0.0));
+    y[1] = rate[0];
+    y[2] = rate[1];
     break;
   case MAGGI_FUNCTION_KNOTS:
     for (k = 0; k < n - 2 && t > f->times[k + 1]; ++k)

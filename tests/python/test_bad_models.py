@@ -491,6 +491,20 @@ ROWS = [
         "t1 is not after t0",
     ),
     Row(
+        "ramp backwards",
+        "type: sine\n    amplitude: 1\n    omega: 2",
+        "type: ramp\n    t0: 1\n    t1: 0\n    rate: 1",
+        "t1: 0",
+        "t1 is not after t0",
+    ),
+    Row(
+        "ramp without a rate",
+        "type: sine\n    amplitude: 1\n    omega: 2",
+        "type: ramp\n    t0: 1\n    t1: 2",
+        "- name: turn",
+        '"rate" is missing',
+    ),
+    Row(
         "key of another function",
         "omega: 2",
         "omega: 2\n    times: [0, 1]",
@@ -813,8 +827,7 @@ format: maggi
 version: 1
 name: variant
 base: good.yaml
-remove: [sensors.end, sensors.sum, filters.felt, filters.own, objectives.high, objectives.at, objectives.fit,
-  objectives.total, objectives.settling, objectives.gain]
+remove: [rods.strut, functions.road]
 gravity: [0, 0, -1]
 springs:
   - name: coil
@@ -832,22 +845,22 @@ VARIANT_ROWS = [
     ("base is a folder", "good.yaml", ".", "variant.yaml", "base:", "directory"),
     ("its own base", "good.yaml", "./variant.yaml", "variant.yaml", "base:", "builds on itself"),
     ("no base at all", "base: good.yaml\n", "", "variant.yaml", "remove:", '"base"'),
-    ("nothing removed", "[sensors.end,", "[]  #", "variant.yaml", "remove:", "empty"),
-    ("removed twice", "sensors.end,", "sensors.end, sensors.end,", "variant.yaml", "remove:",
-     '"sensors.end" is not in the base'),
-    ("removed is not there", "sensors.end", "sensors.and", "variant.yaml", "remove:",
-     '"sensors.and" is not in the base'),
-    ("removed from no list", "sensors.end", "gravity.x", "variant.yaml", "remove:", "LIST.NAME"),
-    ("removed without a name", "sensors.end", "sensors", "variant.yaml", "remove:", "LIST.NAME"),
+    ("nothing removed", "[rods.strut,", "[]  #", "variant.yaml", "remove:", "empty"),
+    ("removed twice", "rods.strut,", "rods.strut, rods.strut,", "variant.yaml", "remove:",
+     '"rods.strut" is not in the base'),
+    ("removed is not there", "rods.strut", "rods.strand", "variant.yaml", "remove:",
+     '"rods.strand" is not in the base'),
+    ("removed from no list", "rods.strut", "gravity.x", "variant.yaml", "remove:", "LIST.NAME"),
+    ("removed without a name", "rods.strut", "rods", "variant.yaml", "remove:", "LIST.NAME"),
     ("own entry twice", "functions:\n", "functions:\n  - {name: pulse, type: constant, value: 2}\n",
      "variant.yaml", "value: 1", "already"),
     ("own number wrong", "functions:", "set: [{name: springs.coil.x.y, value: 1}]\nfunctions:", "variant.yaml",
      "set: [", "no number"),
     ("own key wrong", "gravity:", "gravitation:", "variant.yaml", "gravitation:", "unknown key"),
     ("own entry wrong", "body_b: follower", "body_b: foll", "variant.yaml", "body_b:", '"foll"'),
-    ("needed by the base", "[sensors.end,", "[loops.tip, bodies.ball, sensors.end,", "good.yaml",
-     "body_b: ball", '"ball"'),
-    ("function needed by the base", "[sensors.end,", "[functions.turn, sensors.end,", "good.yaml",
+    ("needed by the base", "[rods.strut,", "[bodies.ball, rods.strut,", "good.yaml",
+     "    body: ball", '"ball"'),
+    ("function needed by the base", "[rods.strut,", "[functions.turn, rods.strut,", "good.yaml",
      "- name: wheel", '"turn"'),
 ]  # fmt: skip
 

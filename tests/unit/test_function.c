@@ -4,7 +4,7 @@
 #include "data.h"
 #include "fixture.h"
 
-enum { CONSTANT, POLYNOMIAL, SINE, STEP, KNOTS, SPLINE, LINE, FUNCTIONS };
+enum { CONSTANT, POLYNOMIAL, SINE, STEP, KNOTS, SPLINE, LINE, RAMP, FUNCTIONS };
 enum { POINTS = 7 };
 
 static const double times[POINTS] = {-1.0, -0.25, 0.0, 0.7, 1.9, 2.0, 4.5};
@@ -25,7 +25,8 @@ static maggi_model *model(void)
       " values: [0.3, -2, 1.5, 1.5, 0.2, 3, -0.7]}\n"
       "- {name: spline, type: spline, times: [-1, -0.25, 0, 0.7, 1.9, 2, 4.5],"
       " values: [0.3, -2, 1.5, 1.5, 0.2, 3, -0.7]}\n"
-      "- {name: line, type: spline, times: [1, 3], values: [2, -4]}\n");
+      "- {name: line, type: spline, times: [1, 3], values: [2, -4]}\n"
+      "- {name: ramp, type: ramp, t0: 0.5, t1: 2.5, y0: -1, rate: 3}\n");
 }
 
 static const double *at(maggi_data *d, int function, double time)
@@ -59,7 +60,7 @@ static int is_inside(int function, double time, double h)
   return 1;
 }
 
-/* pieces are polynomials of degree 5 at most, for which order 8 is exact: round-off, 1e-15 / h; the
+/* pieces are polynomials of degree 6 at most, for which order 8 is exact: round-off, 1e-15 / h; the
  * sine has h^8 omega^9 / 630 besides, 6e-13 */
 static void test_derivatives(maggi_data *d)
 {
@@ -101,6 +102,14 @@ static void test_values(maggi_data *d)
   }
   /* half way a step is half way up, with slope 15/8 of the mean one */
   CHECK_NEAR(at(d, STEP, 1.5)[0], 1.0, 1e-15, 0.0);
+  /* a ramp: where it begins, in the middle of its rise, and as if it had begun there */
+  CHECK_NEAR(at(d, RAMP, 0.5)[0], -1.0, 0.0, 0.0);
+  CHECK_NEAR(at(d, RAMP, 1.5)[0], -1.0 + 3.0 * 2.0 / 16.0 * (2.5 - 1.5 + 0.25), 1e-15, 0.0);
+  CHECK_NEAR(at(d, RAMP, 1.5)[1], 1.5, 1e-15, 0.0);
+  CHECK_NEAR(at(d, RAMP, nextafter(2.5, 0.0))[0], 2.0, 1e-14, 0.0);
+  CHECK_NEAR(at(d, RAMP, 2.5)[0], 2.0, 1e-15, 0.0);
+  CHECK_NEAR(at(d, RAMP, 7.5)[0], 17.0, 1e-15, 0.0);
+  CHECK_NEAR(at(d, RAMP, 7.5)[1], 3.0, 0.0, 0.0);
   CHECK_NEAR(at(d, STEP, 1.5)[1], 15.0 / 8.0 * 4.0 / 2.0, 1e-15, 0.0);
   for (k = 0; k < POINTS; ++k) {
     CHECK_NEAR(at(d, KNOTS, times[k])[0], values[k], 1e-15, 0.0);

@@ -509,6 +509,8 @@ typedef struct maggi_wheel_def {
  *   knots       points joined by quintic steps, constant outside times.1, .2 .., values.1, ..
  *   spline      natural C2 cubic spline through the points,
  *               extended by straight lines                       times.1, .2 .., values.1, ..
+ *   ramp        y0 up to t0, straight with slope `rate` from t1
+ *               on; the slope is a quintic step between: C3      t0, t1, y0, rate
  *
  * number: entries of `values` (polynomial, knots, spline) and of `times` (knots, spline).
  * The scalar kinds take their parameters, in the order above, from `values`.
@@ -521,6 +523,7 @@ typedef enum maggi_function_type {
   MAGGI_FUNCTION_STEP,
   MAGGI_FUNCTION_KNOTS,
   MAGGI_FUNCTION_SPLINE,
+  MAGGI_FUNCTION_RAMP,
   MAGGI_FUNCTION_TYPE_COUNT
 } maggi_function_type;
 
