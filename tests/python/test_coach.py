@@ -175,7 +175,7 @@ def compare(rows, reference, limit):
     return compared
 
 
-RUNS = [("double-lane-change", "dlc", 37), ("step-steer", "ss80", 37), ("ramp-steer", "cs80", 37), ("bumps", "bumps50", 12)]
+RUNS = [("double-lane-change", "dlc", 38), ("step-steer", "ss80", 38), ("ramp-steer", "cs80", 38), ("bumps", "bumps50", 13)]
 
 
 @pytest.mark.parametrize("name, run, columns", RUNS, ids=[row[0] for row in RUNS])
