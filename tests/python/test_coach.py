@@ -306,7 +306,7 @@ def test_gains(manoeuvre, coach):
 
 def test_jacobian(coach):
     """Table 4.4: 16 degrees of freedom, 33 coordinates; 66 columns in 62 colours, as in the thesis, and 1102 entries, where
-    that has 1078.  The difference is what the mass of one rear link of the anti-roll bar couples."""
+    that has 1078; models/coach/README.md has the sizes of the couplings."""
     summary = json.loads(
         done(coach, "simulate", "coach/coach-16", "--formulation", "penalty", "--time", "0.002", "--json")
     )

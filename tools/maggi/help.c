@@ -248,11 +248,12 @@ static const char help_modes[] =
     "  --json               as one JSON object\n"
     "\n"
     "Prints the modes of small motions about the equilibrium of maggi equilibrium, slowest\n"
-    "first: frequency without and with damping, damping ratio, and the coordinate with the\n"
-    "largest share of the kinetic energy.  A ratio of 1 or -1 is a mode that does not\n"
-    "oscillate.  Coordinates named in start: hold stay, wheels are vertical springs, and a\n"
-    "damper with other slopes in rebound than in compression counts with their mean at\n"
-    "rest.  Needs a build with GSL (MAGGI_WITH_GSL).\n";
+    "first: size of the eigenvalue and frequency of the damped motion, damping ratio, and the\n"
+    "coordinate with the largest share of the kinetic energy; then the frequencies without\n"
+    "dampers.  A ratio of 1 or -1 is a mode that does not oscillate.  Coordinates named in\n"
+    "start: hold stay, wheels are vertical springs, and a damper with other slopes in\n"
+    "rebound than in compression counts with their mean at rest.  Needs a build with GSL\n"
+    "(MAGGI_WITH_GSL).\n";
 
 static const char help_models[] =
     "maggi models [--json]\n"

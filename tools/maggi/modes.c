@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include <maggi/maggi.h>
 
@@ -33,8 +34,15 @@ static const char *most(const standstill *s, const int *coordinate, const mode *
   return maggi_coordinate_name(s->model, coordinate[x->coordinate]);
 }
 
-static void print_text(const standstill *s, const int *coordinate, int n, const mode *modes)
+/* what was found, with the dampers (n) and without them (nundamped) */
+typedef struct findings {
+  int n, nundamped;
+  mode *modes, *undamped;
+} findings;
+
+static void print_text(const standstill *s, const int *coordinate, const findings *f)
 {
+  const mode *modes = f->modes;
   int i;
 
   printf("model         %s\n", s->info.name);
@@ -43,13 +51,18 @@ static void print_text(const standstill *s, const int *coordinate, int n, const 
       "              slopes at rest, wheels as vertical springs\n\n",
       s->state.coordinates);
   puts("      frequency        damped    damping  most kinetic energy");
-  for (i = 0; i < n; ++i)
+  for (i = 0; i < f->n; ++i)
     printf("%3d  %10.6g Hz  %10.6g Hz  %9.6f  %s\n", i + 1, frequency(&modes[i]),
            modes[i].imaginary / turn, damping(&modes[i]), most(s, coordinate, &modes[i]));
+  puts("\nwithout dampers");
+  for (i = 0; i < f->nundamped; ++i)
+    printf("%3d  %10.6g Hz  %26s  %s\n", i + 1, frequency(&f->undamped[i]), "",
+           most(s, coordinate, &f->undamped[i]));
 }
 
-static void print_json(const standstill *s, const int *coordinate, int n, const mode *modes)
+static void print_json(const standstill *s, const int *coordinate, const findings *f)
 {
+  const mode *modes = f->modes;
   json j;
   int i;
 
@@ -57,7 +70,7 @@ static void print_json(const standstill *s, const int *coordinate, int n, const 
   json_open_object(&j, NULL);
   json_string(&j, "model", s->info.name);
   json_open_array(&j, "modes");
-  for (i = 0; i < n; ++i) {
+  for (i = 0; i < f->n; ++i) {
     json_open_object(&j, NULL);
     json_number(&j, "frequency", frequency(&modes[i]));
     json_number(&j, "damped_frequency", modes[i].imaginary / turn);
@@ -68,22 +81,32 @@ static void print_json(const standstill *s, const int *coordinate, int n, const 
     json_close_object(&j);
   }
   json_close_array(&j);
+  json_open_array(&j, "undamped");
+  for (i = 0; i < f->nundamped; ++i) {
+    json_open_object(&j, NULL);
+    json_number(&j, "frequency", frequency(&f->undamped[i]));
+    json_string(&j, "coordinate", most(s, coordinate, &f->undamped[i]));
+    json_close_object(&j);
+  }
+  json_close_array(&j);
   json_close_object(&j);
 }
 
 /* room has a_q, a_v and mass */
-static int find_and_print(const standstill *s, double *room, int *coordinate, mode *modes)
+static int find_and_print(const standstill *s, double *room, int *coordinate, findings *f)
 {
-  int n = s->state.coordinates, count;
+  int n = s->state.coordinates;
   double *a_q = room, *a_v = a_q + n * n, *mass = a_v + n * n;
 
   if (maggi_equilibrium_motions(s->data, small_rate, coordinate, a_q, a_v, mass, NULL) != MAGGI_OK)
     return message_fail(STATUS_FAILED, "%s: %s", s->spec, maggi_data_message(s->data));
-  count = modes_find(n, a_q, a_v, mass, modes);
-  if (count == -2)
+  f->n = modes_find(n, a_q, a_v, mass, f->modes);
+  memset(a_v, 0, (size_t)n * (size_t)n * sizeof *a_v);
+  f->nundamped = f->n < 0 ? f->n : modes_find(n, a_q, a_v, mass, f->undamped);
+  if (f->nundamped == -2)
     return message_fail(STATUS_FAILED, "modes: this build has none, it was made without GSL");
-  if (count < 0) return message_fail(STATUS_FAILED, "%s: no eigenvalues", s->spec);
-  (s->json ? print_json : print_text)(s, coordinate, count, modes);
+  if (f->nundamped < 0) return message_fail(STATUS_FAILED, "%s: no eigenvalues", s->spec);
+  (s->json ? print_json : print_text)(s, coordinate, f);
   return STATUS_DONE;
 }
 
@@ -92,11 +115,12 @@ static int show(const standstill *s)
   size_t n = (size_t)s->state.coordinates;
   double *room = calloc(3 * n * n + 1, sizeof *room);
   int *coordinate = calloc(n + 1, sizeof *coordinate);
-  mode *modes = calloc(2 * n + 1, sizeof *modes);
+  mode *modes = calloc(4 * n + 2, sizeof *modes);
+  findings f = {.modes = modes, .undamped = modes ? modes + 2 * n + 1 : NULL};
   int status;
 
   if (room && coordinate && modes)
-    status = find_and_print(s, room, coordinate, modes);
+    status = find_and_print(s, room, coordinate, &f);
   else
     status = message_fail(STATUS_FAILED, "%s: out of memory", s->spec);
   free(room);

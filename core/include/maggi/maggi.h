@@ -25,7 +25,7 @@
 extern "C" {
 #endif
 
-#define MAGGI_VERSION "0.4.0"
+#define MAGGI_VERSION "0.5.0"
 
 /* ---------------------------------------------------------------------------------- status */
 
@@ -832,7 +832,7 @@ maggi_status maggi_model_load(const char *path, maggi_model **model, char *messa
  * out   def       its numbers; name NULL
  *       message   one line, as of maggi_model_load                            (nmessage chars)
  * status          MAGGI_OK, MAGGI_E_MEMORY, MAGGI_E_FILE, MAGGI_E_MODEL
- * since           0.6; only in builds with MAGGI_WITH_YAML
+ * since           0.5; only in builds with MAGGI_WITH_YAML
  */
 maggi_status maggi_tyre_load(const char *path, maggi_tyre_def *def, char *message, size_t nmessage);
 
@@ -842,7 +842,7 @@ maggi_status maggi_tyre_load(const char *path, maggi_tyre_def *def, char *messag
  *       slip    kappa [-], alpha [rad], gamma [rad], Fz [N], Vx [m/s]
  * out   force   Fx, Fy, Fz [N], Mx, My, Mz [N m]; all 0 where Fz is not positive
  *       slope   dFy/dalpha [N/rad], dFx/dkappa [N], utilisation [-] as of a sensor tyre_slope, or NULL
- * since         0.6
+ * since         0.5
  */
 void maggi_tyre_forces(const maggi_tyre_def *def, maggi_side side, const double slip[5],
                        double force[6], double slope[3]);
