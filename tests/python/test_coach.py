@@ -313,6 +313,28 @@ def test_jacobian(coach):
     assert (summary["coordinates"], summary["colours"], summary["nonzeros"]) == (33, 62, 1102)
 
 
+def quintic_step(x):
+    x = numpy.clip(x, 0, 1)
+    return x**3 * (10 - 15 * x + 6 * x**2)
+
+
+def test_driver(coach):
+    """A driver in the track of ISO 3888-1, on the middles of its lanes; what he does has exact derivatives."""
+    run, _, summary = simulate(coach, "driver-lane-change", "--step", "0.002", every=10)
+    s = run["front_axle.x"] - 60
+    path = 3.6275 * quintic_step((s - 11) / 38) + (0.255 - 3.6275) * quintic_step((s - 66) / 33)
+    away = abs(run["front_axle.y"] - path)
+    assert away.max() < 0.2 and away[-1] < 1e-3
+    assert abs(run["driver.error"]).max() > 0.1 and abs(run["lateral.planar"]).max() < 0.16 * G
+    assert summary["dof"] == 18
+    command = ["sensitivity", "coach/driver-lane-change", "--time", "6", "--step", "0.002", "--objective", "effort"]
+    command += ["--parameters", "preview,driver_gain,speed", "--json", "--method"]
+    direct, adjoint = (json.loads(done(coach, *command, m))["gradient"] for m in ("direct", "adjoint"))
+    assert min(map(abs, direct.values())) > 1e-3
+    for name, value in direct.items():
+        assert adjoint[name] == pytest.approx(value, rel=1e-10)
+
+
 def test_variants(coach):
     """What made the readings of models/coach/README.md the others' better."""
     rows, literal, _ = simulate(coach, "double-lane-change-literal", every=50)
