@@ -3,33 +3,6 @@
 
 #include <string.h>
 
-/* ------------------------------------------------------------------------------------ columns */
-
-/* independent coordinates from the leaves to the root, then guided ones */
-static int number_columns(maggi_data *d)
-{
-  maggi_topo *t = &d->t;
-  maggi_planner *pl = d->planner;
-  int i, pass;
-
-  if (!maggi_sized(&pl->col, t->nq, -1) || !maggi_sized(&pl->colq, t->nq, -1)) return 0;
-  t->ncol = 0;
-  t->ndep = 0;
-  for (pass = 0; pass < 2; ++pass) {
-    for (i = 0; i < t->nq; ++i) {
-      if (pl->owner[i] >= 0) {
-        t->ndep += pass;
-      } else if ((t->qguide[i] >= 0) == pass) {
-        pl->col.v[i] = t->ncol;
-        pl->colq.v[t->ncol++] = i;
-      }
-    }
-    if (pass == 0) t->nind = t->ncol;
-  }
-  t->stride = (t->ncol + MAGGI_WIDTH - 1) / MAGGI_WIDTH * MAGGI_WIDTH;
-  return 1;
-}
-
 /* ---------------------------------------------------------------------------------- velocities */
 
 static void widen(int *begin, int *end, int b, int e)
@@ -275,6 +248,24 @@ static int list_mass(maggi_data *d)
   return ok && list_dependent_pairs(d);
 }
 
+static int list_columns(maggi_data *d)
+{
+  return list_velocities(d) && list_mass(d);
+}
+
+/* all lists, with columns in the cheaper order */
+static int list(maggi_data *d)
+{
+  double by_tree;
+
+  if (!maggi_number_columns(d) || !maggi_list_islands(d) || !list_columns(d)) return 0;
+  by_tree = maggi_columns_cost(d);
+  if (!maggi_group_columns(d)) return 1;
+  if (!list_columns(d)) return 0;
+  if (maggi_columns_cost(d) < 0.9 * by_tree) return 1;
+  return maggi_number_columns(d) && list_columns(d);
+}
+
 /* all lists from owner and rank, factors of the present position */
 static maggi_status compile(maggi_data *d)
 {
@@ -283,8 +274,7 @@ static maggi_status compile(maggi_data *d)
   maggi_status status;
   int i, k, n;
 
-  if (!number_columns(d) || !maggi_list_islands(d) || !list_velocities(d) || !list_mass(d))
-    return maggi_data_fail(d, MAGGI_E_MEMORY, "out of memory");
+  if (!list(d)) return maggi_data_fail(d, MAGGI_E_MEMORY, "out of memory");
 #define X(name, size, text) t->name = pl->name.v;
   MAGGI_PLAN_LIST(X)
 #undef X

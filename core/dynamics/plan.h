@@ -41,6 +41,7 @@ struct maggi_planner {
   int *local;                                        /* (nq) place of a dependent in its island */
   int *vhead;                                        /* (nbody) first velocity row of a body */
   int *climb;                                        /* (nbody) */
+  int *group, *groupsize;                            /* (nq) columns.c */
   maggi_ints vbase, vnext;                           /* of velocity rows */
 #define X(name, size, text) maggi_ints name;
   MAGGI_PLAN_LIST(X)
@@ -51,6 +52,12 @@ struct maggi_planner {
 void maggi_planner_sort(const maggi_topo *t, int *order);
 int maggi_sized(maggi_ints *list, int n, int value); /* n integers set to value */
 int maggi_push_int(maggi_ints *list, int value);
+
+/* columns.c: columns by the tree, false when out of memory; then by what depends on them, whether that is
+ * another order; flops of what works with blocks of columns, from the lists of an order */
+int maggi_number_columns(maggi_data *d);
+int maggi_group_columns(maggi_data *d);
+double maggi_columns_cost(const maggi_data *d);
 
 /* islands.c: loops and dependents by island; false when out of memory */
 int maggi_list_islands(maggi_data *d);

@@ -101,10 +101,13 @@ maggi_status maggi_planner_create(const maggi_model *m, maggi_planner **planner)
   pl->local = ints(t->nq);
   pl->vhead = ints(t->nbody);
   pl->climb = ints(t->nbody);
+  pl->group = ints(t->nq);
+  pl->groupsize = ints(t->nq);
   ok = pl->order && pl->loopprim && pl->owner && pl->previous && pl->previous_order &&
        pl->previous_island && pl->rank && pl->row && pl->candidate && pl->columnq && pl->sum &&
        pl->component && pl->low && pl->index && pl->stack && pl->frame && pl->at &&
-       pl->loopisland && pl->local && pl->vhead && pl->climb && reserve(pl, t);
+       pl->loopisland && pl->local && pl->vhead && pl->climb && pl->group && pl->groupsize &&
+       reserve(pl, t);
   if (!ok) {
     maggi_planner_free(pl);
     return MAGGI_E_MEMORY;
@@ -142,6 +145,8 @@ void maggi_planner_free(maggi_planner *pl)
   free(pl->local);
   free(pl->vhead);
   free(pl->climb);
+  free(pl->group);
+  free(pl->groupsize);
   free(pl->vbase.v);
   free(pl->vnext.v);
 #define X(name, size, text) free(pl->name.v);

@@ -28,6 +28,7 @@
 
 #include "cases.h"
 #include "kernel.h"
+#include "profile.h"
 #include "table.h"
 #include "timing.h"
 
@@ -105,8 +106,8 @@ static void csv_case(FILE *csv, const char *suite, const bench_case *c)
 static void csv_run(FILE *csv, const bench_run *r)
 {
   if (csv)
-    fprintf(csv, "accuracy,multiple-four-bar:1x15,1,15,45,15,,,,,,%.9g,%.9g,%.9g,%.9g\n",
-            r->step, r->cpu, r->drift, r->error);
+    fprintf(csv, "accuracy,multiple-four-bar:1x15,1,15,45,15,,,,,,%.9g,%.9g,%.9g,%.9g\n", r->step,
+            r->cpu, r->drift, r->error);
 }
 
 static void cell_us(table *t, double us)
@@ -141,8 +142,7 @@ static void print_evaluations(const options *o, int n, const bench_case cases[])
     cell_us(&t, c->us);
     table_cell(&t, "%.0f", 50.0 * (c->high - c->low) / c->us);
     cells_flops(&t, c);
-    for (k = 0; k < NKNOWN && strcmp(known[k].model, c->name) != 0; ++k)
-      continue;
+    for (k = 0; k < NKNOWN && strcmp(known[k].model, c->name) != 0; ++k) continue;
     if (k < NKNOWN) {
       table_cell(&t, "%g %s", known[k].target, c->us <= known[k].target ? "met" : "missed");
       table_cell(&t, "%g-%g", known[k].limit_low, known[k].limit_high);
@@ -152,109 +152,9 @@ static void print_evaluations(const options *o, int n, const bench_case cases[])
   }
   table_print(&t, o->markdown);
   printf("flops: + - * / sqrt sin cos as 1 each, of the columns that a row has; GFlop/s of these;\n"
-         "executed: with what fills blocks of %d columns\n\n", MAGGI_WIDTH);
+         "executed: with what fills blocks of %d columns\n\n",
+         MAGGI_WIDTH);
 }
-
-/* -------------------------------------------------------------------------- profile */
-
-static const char *const function_name[] = {
-#define X(function, stage) #function,
-    STAGED_LIST(X)
-#undef X
-};
-
-#ifdef BENCH_STAGED
-
-enum { PROFILE_SAMPLES = 101, PROFILE_ROUNDS = 7, PROFILE_STAGES = 7 };
-
-static const char *const function_stage[] = {
-#define X(function, stage) stage,
-    STAGED_LIST(X)
-#undef X
-};
-static const char *const stage_name[PROFILE_STAGES] = {
-    "positions", "loops", "velocities", "inertias", "mass matrix", "solve", "outside"};
-
-/* microseconds of each function in one evaluation, the median of many */
-static void profile_times(const bench_case *c, double us[STAGED_COUNT])
-{
-  static double sample[STAGED_COUNT][PROFILE_ROUNDS * PROFILE_SAMPLES];
-  double overhead = staged_overhead(), rate = staged_rate();
-  staged s;
-  int i, k, n = PROFILE_ROUNDS * PROFILE_SAMPLES;
-
-  for (k = 0; k < n; ++k) {
-    memset(&s, 0, sizeof s);
-    staged_timed(c->d, c->time, &s);
-    for (i = 0; i < STAGED_COUNT; ++i)
-      sample[i][k] = 1e6 / rate * ((double)s.ticks[i] - overhead * (double)s.calls[i]);
-  }
-  for (i = 0; i < STAGED_COUNT; ++i) {
-    sort_samples(n, sample[i]);
-    us[i] = fmax(0.0, quantile(n, sample[i], 0.5));
-  }
-}
-
-static void profile_row(table *t, const char *name, double us, double all, long flops,
-                        long executed)
-{
-  table_row(t);
-  table_cell(t, "%s", name);
-  table_cell(t, "%.3f", us);
-  table_cell(t, "%.1f", 100.0 * us / all);
-  table_cell(t, "%ld", flops);
-  table_cell(t, "%ld", executed);
-  table_cell(t, "%.2f", us > 0.0 ? 1e-3 * (double)flops / us : 0.0);
-}
-
-static void profile(const options *o, bench_case *c)
-{
-  static table t;
-  bench_flops counts;
-  char text[128];
-  double us[STAGED_COUNT], all = 0.0, part;
-  long flops, executed;
-  int i, k;
-
-  case_count(c, &counts);
-  profile_times(c, us);
-  for (i = 0; i < STAGED_COUNT; ++i)
-    all += us[i];
-  snprintf(text, sizeof text, "%.63s: where one evaluation goes", c->name);
-  heading(o, text);
-  table_begin(&t, "stage|us|%|flops|executed|GFlop/s");
-  for (k = 0; k < PROFILE_STAGES; ++k) {
-    part = 0.0;
-    flops = 0;
-    executed = 0;
-    for (i = 0; i < STAGED_COUNT; ++i) {
-      if (strcmp(function_stage[i], stage_name[k]) == 0) {
-        part += us[i];
-        flops += counts.needed[i];
-        executed += counts.executed[i];
-      }
-    }
-    profile_row(&t, stage_name[k], part, all, flops, executed);
-    for (i = 0; i < STAGED_COUNT; ++i) {
-      if (strcmp(function_stage[i], stage_name[k]) == 0 && us[i] > 0.0) {
-        snprintf(text, sizeof text, "  %s", function_name[i]);
-        profile_row(&t, text, us[i], all, counts.needed[i], counts.executed[i]);
-      }
-    }
-  }
-  profile_row(&t, "sum", all, all, c->flops, c->executed);
-  table_print(&t, o->markdown);
-}
-
-#else
-
-static void profile(const options *o, bench_case *c)
-{
-  (void)o;
-  printf("%s: no profile in this build (tests/bench/CMakeLists.txt)\n\n", c->name);
-}
-
-#endif
 
 /* --------------------------------------------------------------------------- suites */
 
@@ -273,8 +173,7 @@ static int measure(int n, char names[][CASE_NAME], int samples)
       case_close(&cases[opened]);
   }
   cases_measure(opened, cases, ROUNDS, samples);
-  for (i = 0; i < opened; ++i)
-    case_count(&cases[i], &counts);
+  for (i = 0; i < opened; ++i) case_count(&cases[i], &counts);
   return opened;
 }
 
@@ -282,8 +181,7 @@ static void close_cases(int n)
 {
   int i;
 
-  for (i = 0; i < n; ++i)
-    case_close(&cases[i]);
+  for (i = 0; i < n; ++i) case_close(&cases[i]);
 }
 
 static void suite_evaluations(const options *o, const char *suite)
@@ -292,8 +190,7 @@ static void suite_evaluations(const options *o, const char *suite)
   int i, n = 0, several = strcmp(suite, "multiple-four-bar") == 0;
   int all = strcmp(suite, "all") == 0;
 
-  if (!several)
-    n = shipped_models(MODELS_MAX - 3, names);
+  if (!several) n = shipped_models(MODELS_MAX - 3, names);
   if (!several && !all) {
     int kept = 0;
     for (i = 0; i < n; ++i)
@@ -310,10 +207,8 @@ static void suite_evaluations(const options *o, const char *suite)
   heading(o, "One evaluation of the right-hand side");
   n = measure(n, names, SAMPLES);
   print_evaluations(o, n, cases);
-  for (i = 0; i < n; ++i)
-    csv_case(o->csv, "evaluation", &cases[i]);
-  for (i = 0; o->profile && i < n; ++i)
-    profile(o, &cases[i]);
+  for (i = 0; i < n; ++i) csv_case(o->csv, "evaluation", &cases[i]);
+  for (i = 0; o->profile && i < n; ++i) profile(o->markdown, &cases[i]);
   close_cases(n);
 }
 
@@ -338,8 +233,7 @@ static void print_scaling(const options *o, const char *suite, int n, int by_wid
     x[i] = by_width ? cases[i].ny : cases[i].nz;
     y[i] = cases[i].us;
     work[i] = (double)cases[i].flops;
-    if (x[i] < 7.0)
-      begin = i + 1;
+    if (x[i] < 7.0) begin = i + 1;
   }
   table_print(&t, o->markdown);
   slope = log_slope(n, x, y);
@@ -360,8 +254,7 @@ static void scale(const options *o, const char *title, const char *id, const cha
   char names[MODELS_MAX][CASE_NAME];
   int i;
 
-  for (i = 0; i < n; ++i)
-    snprintf(names[i], CASE_NAME, format, sizes[i]);
+  for (i = 0; i < n; ++i) snprintf(names[i], CASE_NAME, format, sizes[i]);
   heading(o, title);
   n = measure(n, names, SAMPLES / 2);
   print_scaling(o, id, n, by_width);
@@ -387,8 +280,7 @@ static double seconds_at(const bench_run r[NSTEP])
 
   for (i = NSTEP - 1; i > 0 && r[i].error <= error_at; --i) {
     if (!(r[i - 1].error <= error_at)) {
-      if (isnan(r[i - 1].error))
-        return r[i].cpu;
+      if (isnan(r[i - 1].error)) return r[i].cpu;
       w = log(error_at / r[i].error) / log(r[i - 1].error / r[i].error);
       return exp((1.0 - w) * log(r[i].cpu) + w * log(r[i - 1].cpu));
     }
@@ -405,8 +297,7 @@ static void suite_accuracy(const options *o)
   double cpu[NSTEP][ROUNDS], at;
   int i, k;
 
-  if (!case_open(&c, "multiple-four-bar:1x15"))
-    return;
+  if (!case_open(&c, "multiple-four-bar:1x15")) return;
   for (k = 0; k < ROUNDS; ++k) {
     for (i = 0; i < NSTEP; ++i) {
       status = run_array(c.d, steps[i], &r[i]);
@@ -443,7 +334,8 @@ static void suite_accuracy(const options *o)
   at = seconds_at(r);
   printf("at an end error of %g rad: %.4f s\n", error_at, at);
   printf("MuJoCo as measured for issue 2: %g s, ratio %.2f (target at most 0.33); on this machine: "
-         "bench-peers\n\n", mujoco_seconds, at / mujoco_seconds);
+         "bench-peers\n\n",
+         mujoco_seconds, at / mujoco_seconds);
   case_close(&c);
 }
 
@@ -466,16 +358,13 @@ static void *work(void *argument)
   int i;
 
   w->status = maggi_data_create(w->m, &d);
-  if (w->status == MAGGI_OK)
-    w->status = maggi_data_reset(d);
+  if (w->status == MAGGI_OK) w->status = maggi_data_reset(d);
   /* a sleeping barrier would wake both threads on one processor */
   atomic_fetch_sub(w->waiting, 1);
-  while (atomic_load(w->waiting) > 0)
-    continue;
+  while (atomic_load(w->waiting) > 0) continue;
   w->begin = wall_seconds();
   cpu = cpu_seconds();
-  for (i = 0; i < THREAD_STEPS && w->status == MAGGI_OK; ++i)
-    w->status = maggi_step(d, 1e-3);
+  for (i = 0; i < THREAD_STEPS && w->status == MAGGI_OK; ++i) w->status = maggi_step(d, 1e-3);
   w->cpu = cpu_seconds() - cpu;
   w->end = wall_seconds();
   maggi_data_free(d);
@@ -518,13 +407,11 @@ static void suite_threads(const options *o)
   maggi_model *m;
   int k, n;
 
-  if (maggi_model_multiple_four_bar(1, 15, &m) != MAGGI_OK)
-    return;
+  if (maggi_model_multiple_four_bar(1, 15, &m) != MAGGI_OK) return;
   heading(o, "Independent simulations: one second of 1x15 by 1 ms, one model shared");
   for (k = 0; k < THREAD_ROUNDS; ++k) {
     for (n = 1; n <= THREADS; ++n) {
-      if (!together(m, n, &wall[n - 1][k], &cpu[n - 1][k]))
-        printf("a simulation failed\n");
+      if (!together(m, n, &wall[n - 1][k], &cpu[n - 1][k])) printf("a simulation failed\n");
       best[n - 1] = fmax(best[n - 1], wall[n - 1][k]);
     }
   }
@@ -537,7 +424,8 @@ static void suite_threads(const options *o)
   printf("simulations/s by wall clock: 1 thread %.1f, 2 threads %.1f, ratio %.2f (best %.2f)\n",
          w[0], w[1], w[1] / w[0], best[1] / best[0]);
   printf("simulations/s by CPU time:   1 thread %.1f, 2 threads %.1f, ratio %.2f (whatever else "
-         "runs)\n\n", c[0], c[1], c[1] / c[0]);
+         "runs)\n\n",
+         c[0], c[1], c[1] / c[0]);
   maggi_model_free(m);
 }
 
@@ -561,8 +449,7 @@ static int suite_flops(const options *o)
   snprintf(names[n++], CASE_NAME, "multiple-four-bar:2x20");
   table_begin(&t, "model|needed|by blocks|executed|differ %|where");
   for (k = 0; k < n; ++k) {
-    if (!case_open(&c, names[k]))
-      return 1;
+    if (!case_open(&c, names[k])) return 1;
     case_count(&c, &f);
     differ = c.executed > 0 ? (double)(c.blocks - c.executed) / (double)c.executed : 0.0;
     wrong = wrong || fabs(differ) > flops_tolerance;
@@ -575,7 +462,7 @@ static int suite_flops(const options *o)
     for (i = 0; i < STAGED_COUNT && (c.executed == 0 || f.blocks[i] == f.executed[i]); ++i)
       continue;
     if (i < STAGED_COUNT)
-      table_cell(&t, "%s %ld", function_name[i], f.blocks[i] - f.executed[i]);
+      table_cell(&t, "%s %ld", profile_function[i], f.blocks[i] - f.executed[i]);
     case_close(&c);
   }
   heading(o, "Flops of one evaluation");
@@ -590,8 +477,7 @@ static int one_evaluation(const char *spec)
   static bench_case c;
   bench_flops counts;
 
-  if (!case_open(&c, spec))
-    return 1;
+  if (!case_open(&c, spec)) return 1;
   cases_measure(1, &c, 1, SAMPLES);
   case_count(&c, &counts);
   printf("%.9g %.9g %.9g %ld\n", c.us, c.low, c.high, c.flops);
@@ -606,12 +492,10 @@ static int quarter_step(const char *spec, double h, int n)
   double begin;
   int i;
 
-  if (!case_open(&c, spec))
-    return 1;
+  if (!case_open(&c, spec)) return 1;
   status = maggi_data_reset(c.d);
   begin = cpu_seconds();
-  for (i = 0; i < n && status == MAGGI_OK; ++i)
-    status = maggi_step(c.d, h);
+  for (i = 0; i < n && status == MAGGI_OK; ++i) status = maggi_step(c.d, h);
   printf("%.9g\n", 1e6 * (cpu_seconds() - begin) / (4.0 * n));
   case_close(&c);
   return status != MAGGI_OK;
@@ -623,8 +507,7 @@ static int one_run(double h)
   bench_run r;
   maggi_status status;
 
-  if (!case_open(&c, "multiple-four-bar:1x15"))
-    return 1;
+  if (!case_open(&c, "multiple-four-bar:1x15")) return 1;
   status = run_array(c.d, h, &r);
   printf("%.9g %.9g\n", r.cpu, r.error);
   case_close(&c);
@@ -636,8 +519,7 @@ static void print_array(const char *name, int n, const double x[], const char *e
   int i;
 
   printf("\"%s\": [", name);
-  for (i = 0; i < n; ++i)
-    printf("%s%.17g", i ? ", " : "", x[i]);
+  for (i = 0; i < n; ++i) printf("%s%.17g", i ? ", " : "", x[i]);
   printf("]%s", end);
 }
 
@@ -648,19 +530,15 @@ static int state(const char *spec, double time, double h)
   double *x;
   int i, n, steps_to = (int)(time / h + 0.5);
 
-  if (!case_open(&c, spec))
-    return 1;
+  if (!case_open(&c, spec)) return 1;
   n = c.coordinates;
   x = calloc((size_t)n, 3 * sizeof *x);
-  if (!x)
-    return 1;
+  if (!x) return 1;
   status = maggi_data_reset(c.d);
-  for (i = 0; i < steps_to && status == MAGGI_OK; ++i)
-    status = maggi_step(c.d, h);
+  for (i = 0; i < steps_to && status == MAGGI_OK; ++i) status = maggi_step(c.d, h);
   maggi_get_coordinates(c.d, x, x + n, x + 2 * n);
   printf("{\"time\": %.17g, \"names\": [", maggi_get_time(c.d));
-  for (i = 0; i < n; ++i)
-    printf("%s\"%s\"", i ? ", " : "", maggi_coordinate_name(c.m, i));
+  for (i = 0; i < n; ++i) printf("%s\"%s\"", i ? ", " : "", maggi_coordinate_name(c.m, i));
   printf("], ");
   print_array("q", n, x, ", ");
   print_array("v", n, x + n, ", ");
@@ -689,12 +567,10 @@ int main(int argc, char **argv)
   const char *suite = "all";
   int i, all;
 
-  if (argc == 3 && strcmp(argv[1], "evaluation") == 0)
-    return one_evaluation(argv[2]);
+  if (argc == 3 && strcmp(argv[1], "evaluation") == 0) return one_evaluation(argv[2]);
   if (argc == 5 && strcmp(argv[1], "step") == 0)
     return quarter_step(argv[2], atof(argv[3]), atoi(argv[4]));
-  if (argc == 3 && strcmp(argv[1], "run") == 0)
-    return one_run(atof(argv[2]));
+  if (argc == 3 && strcmp(argv[1], "run") == 0) return one_run(atof(argv[2]));
   if (argc == 5 && strcmp(argv[1], "state") == 0)
     return state(argv[2], atof(argv[3]), atof(argv[4]));
 
@@ -716,21 +592,14 @@ int main(int argc, char **argv)
     }
   }
   all = strcmp(suite, "all") == 0;
-  if (strcmp(suite, "flops") == 0)
-    return suite_flops(&o);
-  for (i = 0; i < NSUITE && strcmp(suite, suites[i]) != 0; ++i)
-    continue;
-  if (i == NSUITE)
-    return usage();
+  if (strcmp(suite, "flops") == 0) return suite_flops(&o);
+  for (i = 0; i < NSUITE && strcmp(suite, suites[i]) != 0; ++i) continue;
+  if (i == NSUITE) return usage();
   csv_head(o.csv);
   print_machine(&o);
-  if (all || strstr(suite, "four-bar"))
-    suite_evaluations(&o, suite);
-  if (all || strcmp(suite, "scaling") == 0)
-    suite_scaling(&o);
-  if (all || strcmp(suite, "accuracy") == 0)
-    suite_accuracy(&o);
-  if (all || strcmp(suite, "threads") == 0)
-    suite_threads(&o);
+  if (all || strstr(suite, "four-bar")) suite_evaluations(&o, suite);
+  if (all || strcmp(suite, "scaling") == 0) suite_scaling(&o);
+  if (all || strcmp(suite, "accuracy") == 0) suite_accuracy(&o);
+  if (all || strcmp(suite, "threads") == 0) suite_threads(&o);
   return o.csv && fclose(o.csv) != 0;
 }

@@ -28,8 +28,9 @@
   X(maggi_point_velocities, "velocities")                                                          \
   X(maggi_point_accelerations, "velocities")                                                       \
   X(maggi_accelerations, "velocities")                                                             \
-  X(maggi_wheel_forces, "inertias")                                                                \
+  X(maggi_wheel_forces, "wheels")                                                                  \
   X(maggi_element_forces, "inertias")                                                              \
+  X(maggi_control_forces, "inertias")                                                              \
   X(maggi_body_inertias, "inertias")                                                               \
   X(maggi_inertia_forces, "inertias")                                                              \
   X(maggi_rod_forces, "inertias")                                                                  \
