@@ -39,6 +39,26 @@ static inline void open_chain_forces(maggi_data *d)
   maggi_generalised_forces(t, CHAIN_ARRAY(d->b), CHAIN_ARRAY(d->FS), d->tau, d->f);
 }
 
+static inline int open_chain_moves(const maggi_topo *t, int q, int body)
+{
+  while (body < t->qbody[q]) body = t->parent[body];
+  return body == t->qbody[q];
+}
+
+/* size of what a number of d->f is a sum of: forces count in moments too, at levers of a metre */
+static inline double open_chain_terms(const maggi_data *d, int q)
+{
+  const double *b = d->b[d->t.qbody[q]];
+  double sum = 0.0, arm = 0.0;
+  int i, k;
+
+  for (k = 0; k < 6; ++k) arm += fabs(b[k]);
+  for (i = 0; i < d->t.nbody; ++i)
+    for (k = 0; k < 6 && open_chain_moves(&d->t, q, i); ++k)
+      sum += fabs(d->F[i][k]) + fabs(d->Q[i][k]);
+  return arm * sum + fabs(d->tau[q]);
+}
+
 static inline void open_chain_quotient(maggi_data *d, double *x, double h, double *out)
 {
   double at = *x;
@@ -53,8 +73,10 @@ static inline void open_chain_quotient(maggi_data *d, double *x, double h, doubl
   *x = at;
 }
 
-/* J (n x 2n, by rows) at d->q, d->v by two central differences, extrapolated */
-static inline void open_chain_jacobian(maggi_data *d, const maggi_pattern *p, double *J)
+/* J (n x 2n, by rows) at d->q, d->v by two central differences, extrapolated; what is below error[i] in
+ * row i may be rounding of f_i, to a part in 1e13 of its terms */
+static inline void open_chain_jacobian(maggi_data *d, const maggi_pattern *p, double *J,
+                                       double *error)
 {
   const double h = 2e-3;
   int n = p->n, i, j;
@@ -65,15 +87,12 @@ static inline void open_chain_jacobian(maggi_data *d, const maggi_pattern *p, do
     x = j < n ? &d->q[p->q[j]] : &d->v[p->q[j - n]];
     open_chain_quotient(d, x, h, wide);
     open_chain_quotient(d, x, 0.5 * h, narrow);
-    for (i = 0; i < n; ++i) J[i * 2 * n + j] = (4.0 * narrow[p->q[i]] - wide[p->q[i]]) / 3.0;
+    for (i = 0; i < n; ++i) {
+      J[i * 2 * n + j] = (4.0 * narrow[p->q[i]] - wide[p->q[i]]) / 3.0;
+      error[i] = fmax(error[i], 1e-13 / h * open_chain_terms(d, p->q[i]));
+    }
   }
   free(wide);
-}
-
-static inline int open_chain_moves(const maggi_topo *t, int q, int body)
-{
-  while (body < t->qbody[q]) body = t->parent[body];
-  return body == t->qbody[q];
 }
 
 /* whether q moves body a, but not with it body b */
@@ -125,7 +144,7 @@ static inline int open_chain_couples(const maggi_topo *t, int qi, int qj)
 typedef struct open_chain_findings {
   int n, entries;     /* of the pattern: rows, entries of a block */
   int wrong;          /* entries that the definition has and the pattern has not, or conversely */
-  int vanished;       /* entries of a block that were zero in both blocks at all states .. */
+  int vanished;       /* entries of a block that were rounding in both blocks at all states .. */
   int vanished_turns; /* .. of two joints that turn */
   double outside;     /* largest |J| outside the pattern, relative to the largest of all */
 } open_chain_findings;
@@ -145,7 +164,7 @@ static inline open_chain_findings open_chain_examine(maggi_data *d, int states,
   const maggi_topo *t = &d->t;
   open_chain_findings f = {0};
   maggi_pattern *p;
-  double *J, *size, largest = 0.0, x;
+  double *J, *size, *error, largest = 0.0, x;
   char *inside;
   int i, j, k, n, n2, state;
 
@@ -155,7 +174,8 @@ static inline open_chain_findings open_chain_examine(maggi_data *d, int states,
   J = calloc((size_t)n * (size_t)n2 + 1, sizeof *J);
   size = calloc((size_t)n * (size_t)n2 + 1, sizeof *size); /* largest |J| of all states */
   inside = calloc((size_t)n * (size_t)n2 + 1, 1);
-  if (!J || !size || !inside) abort();
+  error = calloc((size_t)n + 1, sizeof *error);
+  if (!J || !size || !inside || !error) abort();
   for (j = 0; j < n2; ++j)
     for (k = p->J.coladr[j]; k < p->J.coladr[j + 1]; ++k) inside[p->J.row[k] * n2 + j] = 1;
 
@@ -165,27 +185,28 @@ static inline open_chain_findings open_chain_examine(maggi_data *d, int states,
   for (state = 0; state < states; ++state) {
     for (i = 0; i < t->nq; ++i) d->q[i] = open_chain_random(&seed);
     for (i = 0; i < t->nq; ++i) d->v[i] = open_chain_random(&seed);
-    open_chain_jacobian(d, p, J);
+    open_chain_jacobian(d, p, J, error);
     for (k = 0; k < n * n2; ++k) size[k] = fmax(size[k], fabs(J[k]));
   }
   for (k = 0; k < n * n2; ++k) largest = fmax(largest, size[k]);
   for (i = 0; i < n; ++i) {
     for (j = 0; j < n; ++j) {
       k = i * n2 + j;
-      x = fmax(size[k], size[k + n]) / largest;
+      x = fmax(size[k], size[k + n]);
       f.entries += inside[k];
       f.wrong += inside[k] != open_chain_couples(t, p->q[i], p->q[j]);
       f.wrong += inside[k + n] != inside[k];
-      if (inside[k] && !(x > 1e-10)) {
+      if (inside[k] && !(x > error[i])) {
         ++f.vanished;
         f.vanished_turns += t->joint[t->qbody[p->q[i]]] == MAGGI_ONE_REVOLUTE &&
                             t->joint[t->qbody[p->q[j]]] == MAGGI_ONE_REVOLUTE;
       }
-      if (!inside[k] && !(x <= f.outside)) f.outside = x;
+      if (!inside[k] && !(x / largest <= f.outside)) f.outside = x / largest;
     }
   }
   free(J);
   free(size);
+  free(error);
   free(inside);
   maggi_pattern_free(p);
   return f;

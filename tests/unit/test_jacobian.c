@@ -48,16 +48,17 @@ static void test_against_kernel(void)
   maggi_data *d = test_start(m);
   maggi_force_jacobian *j;
   unsigned long long seed = 3;
-  double *dense, size = 0.0, at;
+  double *dense, *error, size = 0.0, at;
   int i, c, k, n;
 
   if (!CHECK(maggi_force_jacobian_create(d, MAGGI_JACOBIAN_TANGENT_COLOURED, &j) == MAGGI_OK))
     exit(1);
   n = j->pattern->n;
   dense = calloc((size_t)(2 * n * n), sizeof *dense);
+  error = calloc((size_t)n, sizeof *error);
   jacobian_ways_state(d, &seed);
   maggi_force_jacobian_compute(j, 0.4);
-  open_chain_jacobian(d, j->pattern, dense);
+  open_chain_jacobian(d, j->pattern, dense, error);
   for (i = 0; i < 2 * n * n; ++i) size = fmax(size, fabs(dense[i]));
   for (c = 0; c < 2 * n; ++c) {
     for (k = j->pattern->J.coladr[c]; k < j->pattern->J.coladr[c + 1]; ++k) {
@@ -68,6 +69,7 @@ static void test_against_kernel(void)
   }
   for (i = 0; i < 2 * n * n; ++i) CHECK_NEAR(dense[i], 0.0, 0.0, 1e-9 * size);
   free(dense);
+  free(error);
   maggi_force_jacobian_free(j);
   maggi_force_jacobian_free(NULL);
   test_free(d, m);
