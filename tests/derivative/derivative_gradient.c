@@ -11,23 +11,15 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "aim.h"
 #include "course.h"
 #include "replay.h"
 
-enum { LANES = 2, OBJECTIVES = 12, STENCIL = 6, TIMES = 3, SNAPSHOTS = 4 };
+enum { LANES = 2, OBJECTIVES = 12, SNAPSHOTS = 4 };
 
 /* as in derivative_simulation.c */
 #define ROUNDOFF 1e-12
 #define DIVERGED 3e-11
-
-/* An objective of one signal, or of the product of two. */
-typedef struct aim {
-  maggi_objective_def def;
-  int signal[2];
-  const char *name[2];
-  double times[TIMES], values[TIMES];
-  maggi_objective *objective;
-} aim;
 
 typedef struct study {
   const course *c;
@@ -114,180 +106,11 @@ static reference_number *simulate(study *s, const double *x)
   return values;
 }
 
-/* ------------------------------------------------------------------------------ complex objectives */
-
-/* weights of the stencil's samples in the polynomial of degree 5 at u, in its integral from u to v */
-static void polynomial(long double u, long double v, long double at[STENCIL],
-                       long double integral[STENCIL])
-{
-  long double c[STENCIL + 1], scale, high, low, power;
-  int i, j, k;
-
-  for (i = 0; i < STENCIL; ++i) {
-    memset(c, 0, sizeof c);
-    c[0] = 1.0L;
-    for (j = 0; j < STENCIL; ++j) {
-      if (j == i) continue;
-      scale = 1.0L / (i - j);
-      for (k = STENCIL - 1; k > 0; --k) c[k] = scale * (c[k - 1] - j * c[k]);
-      c[0] *= -scale * j;
-    }
-    at[i] = integral[i] = 0.0L;
-    power = 1.0L;
-    for (k = 0, high = v, low = u; k < STENCIL; ++k, high *= v, low *= u, power *= u) {
-      at[i] += c[k] * power;
-      integral[i] += c[k] * (high - low) / (k + 1);
-    }
-  }
-}
-
-static long stencil(const study *s, long interval)
-{
-  long first = interval - 2, last = s->steps + 1 - STENCIL;
-
-  return first < 0 ? 0 : first > last ? last : first;
-}
-
-static reference_number between(const study *s, const aim *a, const reference_number *values,
-                                double time);
-
-/* s(t) of an aim, or g(s) of it, at a sample; without its reference */
-static reference_number raw(const study *s, const aim *a, const reference_number *values, long k)
-{
-  const reference_number *z = values + k * s->nsignal;
-
-  return a->def.function ? z[a->signal[0]] * z[a->signal[1]] : z[a->signal[0]] - a->def.target;
-}
-
-static reference_number between(const study *s, const aim *a, const reference_number *values,
-                                double time)
-{
-  long double at[STENCIL], w[STENCIL], u = (long double)time / s->c->step;
-  long k = (long)u, first = stencil(s, k < s->steps ? k : s->steps - 1);
-  reference_number sum = 0.0L;
-  int i;
-
-  polynomial(u - first, u - first, at, w);
-  for (i = 0; i < STENCIL; ++i) sum += at[i] * raw(s, a, values, first + i);
-  return sum;
-}
-
-static double window_end(const study *s, const aim *a, int last)
-{
-  if (last) return isnan(a->def.to) ? s->steps * s->c->step : a->def.to;
-  return isnan(a->def.from) ? 0.0 : a->def.from;
-}
-
-/* less its reference */
-static reference_number sample(const study *s, const aim *a, const reference_number *values, long k)
-{
-  reference_number z = raw(s, a, values, k);
-
-  if (a->def.reference != MAGGI_REFERENCE_NONE)
-    z -= a->def.target +
-         between(s, a, values, window_end(s, a, a->def.reference == MAGGI_REFERENCE_FINAL));
-  return z;
-}
-
-/* g(s) in an integral */
-static reference_number integrand(const aim *a, reference_number s)
-{
-  switch (a->def.type) {
-  case MAGGI_OBJECTIVE_INTEGRAL_SQUARE:
-  case MAGGI_OBJECTIVE_RMS:
-  case MAGGI_OBJECTIVE_NORM:
-    return s * s;
-  case MAGGI_OBJECTIVE_VIOLATION:
-    return creall(s) > 0.0L ? s * s : 0.0L;
-  case MAGGI_OBJECTIVE_VDV:
-    return s * s * s * s;
-  case MAGGI_OBJECTIVE_SMOOTH_MAXIMUM:
-    return cexpl(a->def.sharpness * s);
-  default:
-    return s;
-  }
-}
-
-/* what is integrated at a sample; of a slope one of 1, s, r, r s, r^2 */
-static reference_number value_at(const study *s, const aim *a, const reference_number *values,
-                                 long k, int which)
-{
-  reference_number r;
-
-  if (a->def.type != MAGGI_OBJECTIVE_SLOPE) return integrand(a, sample(s, a, values, k));
-  r = values[k * s->nsignal + a->signal[1]];
-  switch (which) {
-  case 1:
-    return raw(s, a, values, k);
-  case 2:
-    return r;
-  case 3:
-    return r * raw(s, a, values, k);
-  default:
-    return r * r;
-  }
-}
-
-static reference_number integral(const study *s, const aim *a, const reference_number *values,
-                                 int which)
-{
-  long double at[STENCIL], w[STENCIL], from = window_end(s, a, 0), to = window_end(s, a, 1), u, v;
-  reference_number sum = 0.0L;
-  long k, first;
-  int i;
-
-  for (k = 0; k < s->steps; ++k) {
-    u = fmaxl(from / s->c->step, k);
-    v = fminl(to / s->c->step, k + 1);
-    if (v <= u) continue;
-    first = stencil(s, k);
-    polynomial(u - first, v - first, at, w);
-    for (i = 0; i < STENCIL; ++i) sum += w[i] * value_at(s, a, values, first + i, which);
-  }
-  return sum * s->c->step;
-}
-
-static reference_number straight_line(const study *s, const aim *a, const reference_number *values,
-                                      long double T)
-{
-  reference_number S = integral(s, a, values, 1), R = integral(s, a, values, 2);
-
-  return (T * integral(s, a, values, 3) - R * S) / (T * integral(s, a, values, 4) - R * R);
-}
-
 static reference_number outcome(const study *s, const aim *a, const reference_number *values)
 {
-  long double T = (long double)window_end(s, a, 1) - window_end(s, a, 0);
-  reference_number sum = 0.0L, e;
-  int i;
+  trace whole = {s->c->step, s->steps, s->nsignal, values};
 
-  switch (a->def.type) {
-  case MAGGI_OBJECTIVE_MEAN:
-    return integral(s, a, values, 0) / T;
-  case MAGGI_OBJECTIVE_RMS:
-    return csqrtl(integral(s, a, values, 0) / T);
-  case MAGGI_OBJECTIVE_VDV:
-    return csqrtl(csqrtl(integral(s, a, values, 0)));
-  case MAGGI_OBJECTIVE_SMOOTH_MAXIMUM:
-    return clogl(integral(s, a, values, 0) / T) / a->def.sharpness;
-  case MAGGI_OBJECTIVE_NORM:
-    return csqrtl(integral(s, a, values, 0));
-  case MAGGI_OBJECTIVE_SLOPE:
-    return straight_line(s, a, values, T);
-  case MAGGI_OBJECTIVE_TERMINAL:
-    return between(s, a, values, window_end(s, a, 1));
-  case MAGGI_OBJECTIVE_VALUE:
-    for (i = 0; i < a->def.number; ++i) sum += between(s, a, values, a->times[i]);
-    return sum;
-  case MAGGI_OBJECTIVE_LEAST_SQUARES:
-    for (i = 0; i < a->def.number; ++i) {
-      e = between(s, a, values, a->times[i]) - a->values[i];
-      sum += e * e;
-    }
-    return sum / a->def.number;
-  default:
-    return integral(s, a, values, 0);
-  }
+  return aim_outcome(a, &whole);
 }
 
 /* ---------------------------------------------------------------------------------------- choices */
@@ -399,11 +222,11 @@ static void add_aim(study *s, maggi_objective_type type, int signal, int other, 
     a->def.target = mean - 0.1 * largest; /* above it at times */
   if (type == MAGGI_OBJECTIVE_SMOOTH_MAXIMUM) a->def.sharpness = 3.0 / largest;
   if (type == MAGGI_OBJECTIVE_VALUE || type == MAGGI_OBJECTIVE_LEAST_SQUARES) {
-    a->def.number = TIMES;
+    a->def.number = AIM_TIMES;
     a->def.times = a->times;
     if (type == MAGGI_OBJECTIVE_LEAST_SQUARES) a->def.values = a->values;
-    for (i = 0; i < TIMES; ++i) {
-      a->times[i] = s->steps * s->c->step * (i + mech_uniform(&s->random, 0.1, 0.9)) / TIMES;
+    for (i = 0; i < AIM_TIMES; ++i) {
+      a->times[i] = s->steps * s->c->step * (i + mech_uniform(&s->random, 0.1, 0.9)) / AIM_TIMES;
       a->values[i] = mech_uniform(&s->random, 0.0, largest);
     }
   }
@@ -570,7 +393,7 @@ static void check_course(const course *c)
     s.x[lane] = course_direction(c, &s.random);
     s.value[lane] = simulate(&s, s.x[lane]);
   }
-  if (!s.value[0] || s.steps < STENCIL) {
+  if (!s.value[0] || s.steps < AIM_SAMPLES) {
     report_count("not replayed");
   } else {
     choose_aims(&s);
