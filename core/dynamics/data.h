@@ -250,10 +250,12 @@ int maggi_worst_loop(const maggi_data *d);
 /* column of Phi_z of entry i of the path of a building block's loop */
 void maggi_path_entry(const maggi_data *d, int prim, int i, double e[3]);
 
-/* assemble.c */
+/* project.c: drift control when the loops are open by more than the tolerance; the positions of `time` are
+ * evaluated before and after.  Whether the accelerations of `time` can be trusted */
 maggi_status maggi_project(maggi_data *d, double time);
 maggi_status maggi_check(maggi_data *d, double time);
-/* Initial state, after a reset: address in p of the position that a coordinate was set to, -1 if none; those
+
+/* start.c.  Initial state, after a reset: address in p of the position that a coordinate was set to, -1 if none; those
  * of velocities of independent coordinates are m->initial_velocity.  Hold makes later resets choose these
  * independent coordinates.  Evaluation with the plan by which assembly closed the loops, which is_kept says
  * is another one, or with the final one; velocities of independent coordinates are those of `start`. */
