@@ -112,6 +112,41 @@ def steer(rows, side):
     return numpy.arctan2(-x, y) - rows["front.yaw"]
 
 
+RIGID = """\
+format: maggi
+version: 1
+name: coach-tilted
+base: {base}
+start: {{equilibrium: true, hold: [R_CHASSIS.2, R_CHASSIS.3, R_CHASSIS.4, L_STEER, R_L_WHEEL, R_L_WHEEL_2, R_R_WHEEL, R_R_WHEEL_2, F_L_WHEEL, F_R_WHEEL]}}
+forces:
+  - {{name: TILT, type: torque, body: R_CHASSIS, value: [0, 0, 0]}}
+set:
+  - {{name: joint_springs.TORSION.stiffness, value: 1.0e+10}}
+  - {{name: tyres.*.vertical_stiffness, value: 7.85e+9}}
+  - {{name: tyres.*.unloaded_radius, value: 0.519}}
+"""
+
+
+def test_roll_stiffness(coach):
+    """On rigid tyres: springs 1.11e6 and 2.6e5 N m/rad, bars 3.62e6 and 8.7e5 (front, rear); 0.4 % of it is weight."""
+    models = REFERENCES.parents[1] / "models" / "coach"
+    file = coach.folder / "tilted.yaml"
+    file.write_text(RIGID.format(base=models / "coach.yaml"))
+
+    def stiffness(*settings):
+        torque = ["forces.TILT.value.x=100", *settings]
+        found = json.loads(done(coach, "equilibrium", file, "--json", "--set", *torque))
+        roll = next(c["value"] for c in found["coordinates"] if c["name"] == "R_CHASSIS.6")
+        return 100 / roll
+
+    front, rear = "joint_springs.FRONT_BAR.stiffness=0", "joint_springs.REAR_BAR.stiffness=0"
+    both = stiffness()
+    assert both == pytest.approx(1.11e6 + 3.62e6 + 2.6e5 + 8.7e5, rel=0.01)
+    assert both - stiffness(front) == pytest.approx(3.62e6, rel=0.01)
+    assert both - stiffness(rear) == pytest.approx(8.7e5, rel=0.01)
+    assert stiffness(front, rear) == pytest.approx(1.11e6 + 2.6e5, rel=0.02)
+
+
 def test_steering_ratio(coach):
     """2.1668 of the wheels to one of the arm (1/0.4615) at the nominal geometry."""
     turns = []
@@ -178,6 +213,7 @@ def compare(rows, reference, limit):
 RUNS = [("double-lane-change", "dlc", 38), ("step-steer", "ss80", 38), ("ramp-steer", "cs80", 38), ("bumps", "bumps50", 13)]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name, run, columns", RUNS, ids=[row[0] for row in RUNS])
 def test_reference(manoeuvre, reference, name, run, columns):
     rows, _, _ = manoeuvre(name)
@@ -199,6 +235,7 @@ FRONT += ["LST_AUX1", "LST_AUX2", "RST_AUX1", "RST_AUX2", "F_L_STAB", "F_R_STAB"
 SPINS = ["F_L_WHEEL", "F_R_WHEEL", "R_L_WHEEL", "R_L_WHEEL_2", "R_R_WHEEL", "R_R_WHEEL_2"]
 
 
+@pytest.mark.slow
 def test_turn(coach, reference):
     """The steering arm turns from the first moment on.  There the reference has the wheel spins of a coach that does not steer, and
     the least velocities that fit the turn; here those of the upper triangles, on which all others of the front
@@ -236,6 +273,7 @@ def test_turn(coach, reference):
 # ---------------------------------------------------------------------------------- laws
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["double-lane-change", "step-steer"])
 def test_energy(manoeuvre, name):
     """What the coach loses and gains is what drive, tyres and dampers do, to 1e-6 of the most that this is."""
@@ -246,6 +284,7 @@ def test_energy(manoeuvre, name):
     assert numpy.max(numpy.abs(gained - rows["energy.work"])) < 1e-6 * flow
 
 
+@pytest.mark.slow
 def test_mirror(coach):
     """To the right what is to the left, once the two drivers sit side by side: they are all that is not symmetric."""
     arguments = ["--time", "8", "--set", "bodies.F_CHASSIS.point_masses.co-driver.point.x=1.75"]
@@ -264,6 +303,7 @@ def test_mirror(coach):
 # ---------------------------------------------------------------------------------- numbers of the thesis
 
 
+@pytest.mark.slow
 def test_objectives(manoeuvre, coach):
     """Beside tables 6.2 and 6.4: thesis, what the data set gives."""
     _, lane_change, _ = manoeuvre("double-lane-change")
@@ -282,6 +322,7 @@ def test_objectives(manoeuvre, coach):
     assert posts["PRF2"] == pytest.approx(1.387, abs=1e-3)  # 1.410
 
 
+@pytest.mark.slow
 def test_step_steer(manoeuvre):
     rows, _, _ = manoeuvre("step-steer")
     lateral = rows["lateral.planar"][-1] / G
@@ -292,6 +333,7 @@ def test_step_steer(manoeuvre):
     assert rows["transfer_dual.value"][-1] == pytest.approx(4698.92, rel=1e-4)
 
 
+@pytest.mark.slow
 def test_gains(manoeuvre, coach):
     """Lateral acceleration by steering angle, (m/s^2)/rad; at 50 km/h an understeer gradient of 0.012 rad/g."""
     _, gains, _ = manoeuvre("ramp-steer")
@@ -318,6 +360,7 @@ def quintic_step(x):
     return x**3 * (10 - 15 * x + 6 * x**2)
 
 
+@pytest.mark.slow
 def test_driver(coach):
     """A driver in the track of ISO 3888-1, on the middles of its lanes; what he does has exact derivatives."""
     run, _, summary = simulate(coach, "driver-lane-change", "--step", "0.002", every=10)
@@ -335,6 +378,7 @@ def test_driver(coach):
         assert adjoint[name] == pytest.approx(value, rel=1e-10)
 
 
+@pytest.mark.slow
 def test_variants(coach):
     """What made the readings of models/coach/README.md the others' better."""
     rows, literal, _ = simulate(coach, "double-lane-change-literal", every=50)
