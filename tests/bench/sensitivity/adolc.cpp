@@ -1,5 +1,5 @@
 /* Direct differentiation with ADOL-C in the ways of the thesis, 5.5.2: the tape is recorded once, with
- * the state and the parameters as independent variables. */
+ * the state, the parameters and time as independent variables.  Comparisons stay as they were then. */
 #include <string.h>
 
 #include <vector>
@@ -65,13 +65,19 @@ void record(tape *self, bool is_solved)
   const motion *m = &self->m;
   const problem of = {NULL, motion_topo(m), motion_origin(m), NULL, 0.0, 0, 0, NULL};
   maggi_data *d = create(&of);
-  int i;
+  real b;
+  int i, k;
 
   for (i = 0; i < d->t.np; ++i) d->p[i] = motion_parameters(m)[i];
   trace_on(self->tag, 0, buffer, buffer, buffer, buffer);
   for (i = 0; i < m->nq; ++i) d->q[i] <<= self->x[i];
   for (i = 0; i < m->nind; ++i) d->vcol[i] <<= self->x[m->nq + i];
-  for (i = 0; i < m->n; ++i) d->p[m->of->parameter[i]] <<= self->x[m->ny + i];
+  for (i = 0; i < m->n; ++i) {
+    b <<= self->x[m->ny + i];
+    for (k = 0; k < d->t.np; ++k)
+      if (m->pb[k * m->n + i] != 0.0) d->p[k] += m->pb[k * m->n + i] * b;
+  }
+  d->time <<= self->x[m->ny + m->n];
   if (is_solved)
     evaluate(d);
   else
@@ -99,21 +105,22 @@ tape *start(const study *of, int n, bool is_solved, bool is_jacobian)
     delete self;
     return NULL;
   }
-  nx = m->ny + n;
+  nx = m->ny + n + 1;
   self->tag = ++tags;
   self->x.assign(m->y0, m->y0 + m->ny);
-  for (i = 0; i < n; ++i) self->x.push_back(motion_parameters(m)[of->parameter[i]]);
+  self->x.resize(nx); /* changes of the parameters, and time */
   record(self, is_solved);
   columns = is_jacobian ? nx : n;
   self->yb.resize(self->y.size() * columns);
   self->yrow.resize(self->y.size());
   for (i = 0; i < (int)self->y.size(); ++i) self->yrow[i] = &self->yb[i * columns];
-  self->identity.resize(n * n);
+  self->identity.resize((n + 1) * n);
   self->xrow.resize(nx);
   for (i = 0; i < n; ++i) {
     self->identity[i * n + i] = 1.0;
     self->xrow[m->ny + i] = &self->identity[i * n];
   }
+  self->xrow[m->ny + n] = &self->identity[n * n];
   return self;
 }
 
@@ -146,6 +153,7 @@ void forward(tape *self, const double *x, const double *xb)
   int i, ny = self->m.ny, n = self->m.n;
 
   memcpy(self->x.data(), x, ny * sizeof(double));
+  self->x[ny + n] = self->m.time;
   for (i = 0; i < ny; ++i) self->xrow[i] = (double *)xb + i * n;
   fov_forward(self->tag, (int)self->y.size(), (int)self->x.size(), n, self->x.data(),
               self->xrow.data(), self->y.data(), self->yrow.data());
@@ -197,6 +205,7 @@ void jacobian_slopes(void *self, const double *x, const double *xb, double *f, d
 
   motion_evaluate(m, x, f);
   memcpy(tp->x.data(), x, m->ny * sizeof(double));
+  tp->x[m->ny + m->n] = m->time;
   jacobian(tp->tag, (int)tp->y.size(), (int)tp->x.size(), tp->x.data(), tp->yrow.data());
   for (i = 0; i < m->ny; ++i) motion_multiply(m, tp->yrow[i], xb, fb + i * m->n);
 }

@@ -31,6 +31,10 @@ maggi_design *study_design(const study *of, const maggi_data *d, int first, int 
   if (maggi_design_create(d, &design) != MAGGI_OK) return NULL;
   status = n == ALL ? maggi_design_select(design, "all", message, sizeof message) : MAGGI_OK;
   for (i = 0; i < n && status == MAGGI_OK; ++i) {
+    if (of->design) {
+      status = maggi_design_select(design, of->design[first + i], message, sizeof message);
+      continue;
+    }
     path = maggi_parameter_path(of->m, of->parameter[first + i]);
     maggi_design_def_init(&def);
     def.name = path;

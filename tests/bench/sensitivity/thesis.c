@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "derivative.h"
+#include "design.h"
 #include "functional.h"
 
 /* ------------------------------------------------------------------------------ motion */
@@ -49,18 +50,20 @@ int motion_open(motion *m, const study *of, int n)
   if (maggi_data_create(of->m, &m->d) != MAGGI_OK) return 0;
   if (maggi_data_reset(m->d) != MAGGI_OK) return complain("reset", maggi_data_message(m->d));
   t = &m->d->t;
-  assert(t->nfun == 0);
+  assert(t->nstate == 0);
   m->nq = t->nq;
   m->nind = t->nind;
   m->ny = m->nq + m->nind;
   ny = (size_t)m->ny;
   nyb = 2 * (size_t)m->nq * (size_t)n; /* room for all velocities */
   m->memory = calloc(5 * (ny + nyb), sizeof(double));
+  m->pb = malloc((size_t)t->np * (size_t)n * sizeof(double));
   design = study_design(of, m->d, 0, n);
-  if (!m->memory || !design) {
+  if (!m->memory || !m->pb || !design) {
     maggi_design_free(design);
     return 0;
   }
+  maggi_design_directions(design, 0, n, n, m->pb);
   m->y0 = m->memory;
   m->y = m->y0 + ny;
   m->x = m->y + ny;
@@ -79,6 +82,7 @@ int motion_open(motion *m, const study *of, int n)
 void motion_close(motion *m)
 {
   maggi_data_free(m->d);
+  free(m->pb);
   free(m->memory);
 }
 
@@ -90,7 +94,7 @@ static void ahead(int n, const double *x, double h, const double *f, double *z)
   for (i = 0; i < n; ++i) z[i] = x[i] + h * f[i];
 }
 
-static void step(motion *m, slopes *evaluate, void *self, double h)
+static void step(motion *m, slopes *evaluate, void *self, double time, double h)
 {
   static const double weight[4] = {1.0, 2.0, 2.0, 1.0}, part[4] = {0.0, 0.5, 0.5, 1.0};
   int i, ny = m->ny, nyb = m->ny * m->n;
@@ -100,6 +104,7 @@ static void step(motion *m, slopes *evaluate, void *self, double h)
   for (i = 0; i < 4; ++i) {
     ahead(ny, m->y, part[i] * h, m->f, m->x);
     ahead(nyb, m->yb, part[i] * h, m->fb, m->xb);
+    m->time = time + part[i] * h;
     evaluate(self, m->x, m->xb, m->f, m->fb);
     ahead(ny, m->sum, weight[i], m->f, m->sum);
     ahead(nyb, m->sumb, weight[i], m->fb, m->sumb);
@@ -118,7 +123,7 @@ static void integrate(motion *m, slopes *evaluate, void *self, int steps, double
   memset(m->f, 0, (size_t)m->ny * sizeof(double));
   memset(m->fb, 0, (size_t)(m->ny * m->n) * sizeof(double));
   for (k = 0; k <= steps; ++k, samples += row) {
-    if (k > 0) step(m, evaluate, self, m->of->step);
+    if (k > 0) step(m, evaluate, self, (k - 1) * m->of->step, m->of->step);
     samples[0] = m->y[first];
     memcpy(samples + 1, m->yb + first * m->n, (size_t)m->n * sizeof(double));
   }
@@ -166,7 +171,7 @@ void motion_evaluate(motion *m, const double *x, double *f)
 
   memcpy(d->q, x, nq * sizeof(double));
   memcpy(d->vcol, x + nq, nind * sizeof(double));
-  maggi_evaluate(d, 0.0);
+  maggi_evaluate(d, m->time);
   memcpy(f, d->v, nq * sizeof(double));
   memcpy(f + nq, d->acol, nind * sizeof(double));
 }
@@ -226,7 +231,8 @@ static int fill(jacobian *m)
     m->q[i * columns + q] = 1.0;
     if (t->col[q] >= 0) m->v[i * columns + nq + t->col[q]] = 1.0;
   }
-  for (i = 0; i < m->m.n; ++i) m->p[m->m.of->parameter[i] * columns + m->m.ny + i] = 1.0;
+  for (i = 0; i < t->np; ++i)
+    memcpy(m->p + i * columns + m->m.ny, m->m.pb + i * m->m.n, (size_t)m->m.n * sizeof(double));
   return maggi_derivative_create(m->m.d, columns, &m->D) == MAGGI_OK;
 }
 
@@ -272,7 +278,7 @@ static void jacobian_slopes(void *self, const double *x, const double *xb, doubl
   int i, q, nq = m->m.nq, n = m->m.n;
 
   motion_evaluate(&m->m, x, f);
-  if (maggi_linearise_at(m->D, 0.0) != MAGGI_OK) return;
+  if (maggi_linearise_at(m->D, m->m.time) != MAGGI_OK) return;
   maggi_state_jac(m->D, m->columns, m->columns, m->q, m->v, m->v_out, m->a_out);
   for (i = 0; i < nq; ++i) {
     q = d->m->coordinate[i].q;

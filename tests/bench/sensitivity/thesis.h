@@ -1,6 +1,7 @@
 /* Direct differentiation as in the thesis: y_b integrated with y by the classical Runge-Kutta method,
  * four evaluations of y' = f(y, b) and f_y y_b + f_b a step.  Without projections or changes of the
- * independent coordinates, and for models without functions of time. */
+ * independent coordinates; positions of guided coordinates are overwritten by their functions in every
+ * evaluation. */
 #ifndef BENCH_THESIS_H
 #define BENCH_THESIS_H
 
@@ -17,12 +18,14 @@ typedef struct motion {
   const study *of;
   maggi_data *d; /* reset, of this motion alone */
   int nq, nind, ny, n;
+  double time;
+  double *pb; /* (np x n) derivative of p */
   double *memory;
   double *y0, *yb0; /* at first */
   double *y, *yb, *x, *xb, *f, *fb, *sum, *sumb;
 } motion;
 
-/* f and fb from x and xb */
+/* f and fb from x and xb, at the time of the motion */
 typedef void slopes(void *self, const double *x, const double *xb, double *f, double *fb);
 
 int motion_open(motion *m, const study *of, int n);

@@ -17,8 +17,9 @@ typedef struct study {
   const char *name; /* of the objective, which has one signal: the first coordinate */
   maggi_objective *objective;
   double step;
-  int first;            /* internal number of the first coordinate */
-  const int *parameter; /* (PARAMETERS) entries of p */
+  int first;                 /* internal number of the first coordinate */
+  const int *parameter;      /* (PARAMETERS) entries of p */
+  const char *const *design; /* (PARAMETERS) names of design parameters in their place, or NULL */
 } study;
 
 /* numbers of an ADOL-C tape, as in the thesis' Table 5.2 */
