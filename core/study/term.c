@@ -7,51 +7,7 @@
 #include <string.h>
 
 #include "extremum.h"
-
-/* the power of s in the integral; 0: no such integral */
-static int power(maggi_objective_type type)
-{
-  switch (type) {
-  case MAGGI_OBJECTIVE_INTEGRAL:
-  case MAGGI_OBJECTIVE_MEAN:
-    return 1;
-  case MAGGI_OBJECTIVE_INTEGRAL_SQUARE:
-  case MAGGI_OBJECTIVE_MEAN_SQUARE:
-  case MAGGI_OBJECTIVE_RMS:
-  case MAGGI_OBJECTIVE_NORM:
-  case MAGGI_OBJECTIVE_VIOLATION:
-    return 2;
-  case MAGGI_OBJECTIVE_RMQ:
-  case MAGGI_OBJECTIVE_VDV:
-    return 4;
-  default:
-    return 0;
-  }
-}
-
-static int is_mean(maggi_objective_type type)
-{
-  return type == MAGGI_OBJECTIVE_MEAN || type == MAGGI_OBJECTIVE_MEAN_SQUARE ||
-         type == MAGGI_OBJECTIVE_RMS || type == MAGGI_OBJECTIVE_RMQ ||
-         type == MAGGI_OBJECTIVE_SMOOTH_MAXIMUM;
-}
-
-static int is_root(maggi_objective_type type)
-{
-  return type == MAGGI_OBJECTIVE_RMS || type == MAGGI_OBJECTIVE_NORM ||
-         type == MAGGI_OBJECTIVE_RMQ || type == MAGGI_OBJECTIVE_VDV;
-}
-
-static int is_extremum(maggi_objective_type type)
-{
-  return type == MAGGI_OBJECTIVE_MAXIMUM || type == MAGGI_OBJECTIVE_MINIMUM ||
-         type == MAGGI_OBJECTIVE_PEAK;
-}
-
-static int has_times(maggi_objective_type type)
-{
-  return type == MAGGI_OBJECTIVE_VALUE || type == MAGGI_OBJECTIVE_LEAST_SQUARES;
-}
+#include "term_kind.h"
 
 /* the polynomial at that end of the window where its value counts, or NULL */
 static const maggi_local *end_of(const maggi_term *f)
@@ -67,7 +23,7 @@ static double node_weight(const maggi_term *f, long i)
 {
   double weight = maggi_window_weight(&f->window, &f->nodes, i);
 
-  if (!is_mean(f->type)) return weight;
+  if (!maggi_term_is_mean(f->type)) return weight;
   return f->window.length > 0.0 ? weight / f->window.length : 1.0;
 }
 
@@ -91,7 +47,7 @@ void maggi_term_begin(maggi_term *f, const maggi_grid *grid)
   maggi_window_init(&f->window, &f->nodes, grid, f->from, f->to);
   maggi_slope_begin(&f->slope);
   memset(&f->moments, 0, sizeof f->moments);
-  f->moments.power = power(f->type);
+  f->moments.power = maggi_term_power(f->type);
   f->moments.can_shift = f->reference != MAGGI_REFERENCE_NONE;
   f->moments.origin = f->moments.can_shift ? NAN : f->target;
   f->at = f->pull = f->sum = 0.0;
@@ -156,7 +112,7 @@ static void take_interval(maggi_term *f, long interval)
   const maggi_local *end = end_of(f);
   int j;
 
-  if (has_times(f->type)) read_times(f, interval);
+  if (maggi_term_has_times(f->type)) read_times(f, interval);
   if (f->type == MAGGI_OBJECTIVE_MAXIMUM || f->type == MAGGI_OBJECTIVE_PEAK)
     search(f, interval, 1.0);
   if (f->type == MAGGI_OBJECTIVE_MINIMUM || f->type == MAGGI_OBJECTIVE_PEAK)
@@ -187,11 +143,12 @@ void maggi_term_push(maggi_term *f, long k, double s, double r)
   long i = maggi_nodes_of(&f->nodes, k);
 
   if (i < 0) return;
-  if (is_extremum(f->type) || has_times(f->type) || end_of(f)) take_node(f, i, s);
+  if (maggi_term_is_extremum(f->type) || maggi_term_has_times(f->type) || end_of(f))
+    take_node(f, i, s);
   weight = node_weight(f, i);
   if (weight == 0.0) return;
   if (f->type == MAGGI_OBJECTIVE_VIOLATION) s = s < f->target ? f->target : s;
-  if (power(f->type) > 0) maggi_moments_push(&f->moments, weight, s);
+  if (maggi_term_power(f->type) > 0) maggi_moments_push(&f->moments, weight, s);
   if (f->type == MAGGI_OBJECTIVE_SLOPE) maggi_slope_push(&f->slope, weight, s, r);
   if (f->type == MAGGI_OBJECTIVE_SMOOTH_MAXIMUM) {
     if (x > f->top) { /* relative to it, so that nothing overflows */
@@ -211,7 +168,7 @@ static void end_integral(maggi_term *f)
   if (m->can_shift) maggi_moments_shift(m, f->at + f->target);
   f->value = m->sum[n];
   f->pull = n * m->sum[n - 1];
-  if (!is_root(f->type)) return;
+  if (!maggi_term_is_root(f->type)) return;
   f->value = n == 2 ? sqrt(f->value) : sqrt(sqrt(f->value));
   f->pull /= n * pow(f->value, n - 1);
 }
@@ -247,7 +204,7 @@ void maggi_term_end(maggi_term *f)
 
 const char *maggi_term_no_derivative(const maggi_term *f)
 {
-  if (is_root(f->type) && f->value == 0.0) return "the root of zero has no derivative";
+  if (maggi_term_is_root(f->type) && f->value == 0.0) return "the root of zero has no derivative";
   if (f->type == MAGGI_OBJECTIVE_PEAK && f->value == 0.0)
     return "the absolute value of zero has no derivative";
   return NULL;
@@ -316,7 +273,7 @@ double maggi_term_weight(const maggi_term *f, long k, double s, double r, double
 
   if (f->type == MAGGI_OBJECTIVE_SLOPE) *by_r = 0.0;
   if (i < 0) return 0.0;
-  if (is_extremum(f->type))
+  if (maggi_term_is_extremum(f->type))
     return (f->type == MAGGI_OBJECTIVE_PEAK ? f->sign : 1.0) * maggi_local_weight(&f->best, i);
   switch (f->type) {
   case MAGGI_OBJECTIVE_TERMINAL:

@@ -18,7 +18,10 @@ EXCEPTIONS = {}
 
 
 def measure(gcov, objects):
-    """What gcov knows of each source file; one that was never entered has no counts."""
+    """What gcov knows of each source file; one that was never entered has no counts.
+
+    Names are relative to the folder of the compiler where it was called with relative ones, as ccache does.
+    """
     notes = sorted(objects.rglob("*.gcno"))
     if not notes:
         sys.exit(f"{objects}: nothing was compiled with --coverage")
@@ -26,7 +29,9 @@ def measure(gcov, objects):
         output = subprocess.run([gcov, "--branch-probabilities", "--json-format", "--stdout", note],
                                 capture_output=True, check=True, text=True).stdout
         for line in output.splitlines():
-            yield from json.loads(line)["files"]
+            unit = json.loads(line)
+            for file in unit["files"]:
+                yield pathlib.Path(unit["current_working_directory"], file["file"]).resolve(), file
 
 
 def source_name(function):
@@ -69,8 +74,7 @@ def main():
     if run.returncode != 0:
         sys.exit(f"{program[0]} failed")
     report, files, functions, outcomes = [], 0, 0, 0
-    for file in measure(gcov, objects):
-        path = pathlib.Path(file["file"])
+    for path, file in measure(gcov, objects):
         if path.suffix != ".c" or path.parent.name not in ("kernel", "ad_generated"):
             continue
         if not path.exists():

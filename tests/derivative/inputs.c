@@ -73,7 +73,8 @@ static int times_of(const maggi_topo *t, int fun)
   return 0;
 }
 
-/* away from where what the formula divides by is zero: friction, stiffness, weights of pure slip */
+/* away from where what the formula divides by is zero: friction, stiffness, weights of pure slip; every
+ * other curvature is more than the 1 at which it is kept, on either side of no slip */
 static void random_tyre(inputs *in, double *p)
 {
   static const int positive[] = {MAGGI_TYRE_FNOMIN,
@@ -97,6 +98,12 @@ static void random_tyre(inputs *in, double *p)
     p[positive[i]] = mech_uniform(&in->random, 0.5, 1.5);
   for (i = 0; i < (int)(sizeof small / sizeof *small); ++i)
     p[small[i]] = mech_uniform(&in->random, -0.02, 0.02);
+  p[MAGGI_TYRE_LEX] = mech_uniform(&in->random, 0.8, 1.2);
+  p[MAGGI_TYRE_LEY] = mech_uniform(&in->random, 0.8, 1.2);
+  p[MAGGI_TYRE_PEX1] = mech_uniform(&in->random, -1.0, 3.0);
+  p[MAGGI_TYRE_PEY1] = mech_uniform(&in->random, -1.0, 3.0);
+  p[MAGGI_TYRE_PEX4] = mech_uniform(&in->random, -0.3, 0.3);
+  p[MAGGI_TYRE_PEY3] = mech_uniform(&in->random, -0.3, 0.3);
   p[MAGGI_TYRE_RCX1] = mech_uniform(&in->random, 0.2, 0.9);
   p[MAGGI_TYRE_RCY1] = mech_uniform(&in->random, 0.2, 0.9);
   p[MAGGI_TYRE_LOW_CAMBER] = mech_uniform(&in->random, 0.03, 0.3);

@@ -19,106 +19,12 @@
 #include "page.h"
 #include "plan.h"
 #include "record.h"
+#include "request.h"
 #include "rows.h"
 #include "run.h"
 #include "settings.h"
 #include "summary.h"
 #include "table.h"
-
-typedef struct request {
-  const char *model;
-  double time;      /* 0: not given */
-  double step;      /* 0: not given */
-  double tolerance; /* 0: not given */
-  long every;       /* 0: not given */
-  const char *out;
-  const char *reactions;
-  const char *report;
-  char temporary[64]; /* folder of the table when only the report is wanted, or "" */
-  char table[80];     /* the table in it                                          */
-  int objectives;
-  int energy;
-  int json;
-  settings set;
-  formulation formulation;
-} request;
-
-enum {
-  TIME,
-  STEP,
-  OUT,
-  EVERY,
-  ENERGY,
-  REACTIONS,
-  REPORT,
-  OBJECTIVES,
-  SET,
-  FORMULATION,
-  PENALTY,
-  JACOBIAN,
-  TOLERANCE,
-  JSON
-};
-
-static const option_def simulate_options[] = {
-    [TIME] = {"--time", OPTION_VALUE, "a time in seconds"},
-    [STEP] = {"--step", OPTION_VALUE, "a time in seconds"},
-    [OUT] = {"--out", OPTION_VALUE, "a file name, or - for standard output"},
-    [EVERY] = {"--every", OPTION_VALUE, "a number of steps"},
-    [ENERGY] = {"--energy", OPTION_FLAG, NULL},
-    [REACTIONS] = {"--reactions", OPTION_VALUE, "names of bodies, or all"},
-    [REPORT] = {"--report", OPTION_VALUE, "a file name"},
-    [OBJECTIVES] = {"--objectives", OPTION_FLAG, NULL},
-    [SET] = {"--set", OPTION_LIST, "PATH=VALUE"},
-    [FORMULATION] = {"--formulation", OPTION_VALUE, "maggi or penalty"},
-    [PENALTY] = {"--penalty", OPTION_VALUE, "a stiffness"},
-    [JACOBIAN] = {"--jacobian", OPTION_VALUE, "a way to the Jacobian, as adjoint"},
-    [TOLERANCE] = {"--tolerance", OPTION_VALUE, "a length in meters"},
-    [JSON] = {"--json", OPTION_FLAG, NULL},
-    {NULL, OPTION_FLAG, NULL}};
-
-/* One option or argument into the request: 0, or -1 after a message. */
-static int take(request *r, options *o, int id)
-{
-  switch (id) {
-  case OPTIONS_ARGUMENT:
-    return options_argument(o, "MODEL", &r->model);
-  case TIME:
-    return options_positive("--time", o->value, &r->time);
-  case STEP:
-    return options_positive("--step", o->value, &r->step);
-  case TOLERANCE:
-    return options_positive("--tolerance", o->value, &r->tolerance);
-  case FORMULATION:
-    return formulation_name(&r->formulation, o->value);
-  case PENALTY:
-    return formulation_penalty(&r->formulation, o->value);
-  case JACOBIAN:
-    return formulation_jacobian(&r->formulation, o->value);
-  case EVERY:
-    return options_count("--every", o->value, 1, &r->every);
-  case OUT:
-    return options_file("--out", o->value, &r->out);
-  case REACTIONS:
-    r->reactions = o->value;
-    return 0;
-  case REPORT:
-    return options_file("--report", o->value, &r->report);
-  case OBJECTIVES:
-    r->objectives = 1;
-    return 0;
-  case SET:
-    return settings_add(&r->set, o->value);
-  case ENERGY:
-    r->energy = 1;
-    return 0;
-  case JSON:
-    r->json = 1;
-    return 0;
-  default: /* OPTIONS_WRONG */
-    return -1;
-  }
-}
 
 /* What the user may not expect; standard error must stay JSON where the summary goes there. */
 static void note_surprises(const run *r, const request *want)
@@ -299,14 +205,14 @@ static int simulate(request *want, int argc, char **argv)
   int id, status;
 
   if (record_init(&log, argc, argv)) return STATUS_FAILED;
-  options_init(&o, simulate_options, argc, argv);
+  options_init(&o, request_options, argc, argv);
   while ((id = options_next(&o)) != OPTIONS_END) {
     if (id == OPTIONS_HELP) {
       fputs(help_text("simulate"), stdout);
       record_free(&log);
       return STATUS_DONE;
     }
-    if (take(want, &o, id)) {
+    if (request_take(want, &o, id)) {
       record_free(&log);
       return STATUS_USAGE;
     }
@@ -328,10 +234,8 @@ int command_simulate(int argc, char **argv)
   request want;
   int status;
 
-  memset(&want, 0, sizeof want);
-  formulation_init(&want.formulation);
-  if (settings_init(&want.set, argc)) return STATUS_FAILED;
+  if (request_init(&want, argc)) return STATUS_FAILED;
   status = simulate(&want, argc, argv);
-  settings_free(&want.set);
+  request_free(&want);
   return status;
 }
