@@ -385,6 +385,18 @@ def test_set_design_parameters():
         failed(2, text, "simulate", "pendulum", "--set", setting)
 
 
+def test_set_globs():
+    """A glob stands for all the numbers that it matches."""
+
+    def masses(*arguments):
+        found = json.loads(done("info", "four-bar", "--json", "--parameters", "bodies.*.mass", *arguments))
+        return [p["value"] for p in found["parameters"]]
+
+    assert masses("--set", "bodies.*.mass=3") == [3.0] * len(masses()) != masses()
+    failed(2, "no parameter", "simulate", "four-bar", "--set", "bodies.*.mas=1")
+    failed(2, "bodies.crank.mass must not be negative", "simulate", "four-bar", "--set", "bodies.*.mass=-1")
+
+
 # ------------------------------------------------------------------ simulate: summary
 
 KEYS = """model bodies coordinates dof loop_equations rank time step steps evaluations wall_s

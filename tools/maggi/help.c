@@ -46,7 +46,7 @@ static const char help_simulate[] =
     "  --report PAGE.html   the page of maggi report, with objectives; without --out the\n"
     "                       table, with energies, is kept no longer than that\n"
     "  --set PATH=VALUE ..  change parameters, listed by maggi info MODEL --parameters,\n"
-    "                       and design parameters, by NAME=VALUE\n"
+    "                       and design parameters, by NAME=VALUE; PATH may be a glob\n"
     "  --formulation maggi  explicit, of order 4 (Runge-Kutta); loops closed to --tolerance\n"
     "  --formulation penalty\n"
     "                       implicit, of order 2 (trapezoidal rule); loops held by springs\n"

@@ -8,6 +8,7 @@
 #include "message.h"
 #include "nearest.h"
 #include "options.h"
+#include "sheet.h"
 
 int settings_init(settings *s, int argc)
 {
@@ -100,7 +101,7 @@ static int set_design(const setting *e, maggi_data *d, maggi_design *design, dou
   return status == MAGGI_OK ? STATUS_DONE : fail_data(e, d, status);
 }
 
-/* Those settings that are no paths. */
+/* Those settings that are design parameters. */
 static int apply_design(const settings *s, const maggi_model *m, maggi_data *d)
 {
   maggi_design *design = NULL;
@@ -109,27 +110,41 @@ static int apply_design(const settings *s, const maggi_model *m, maggi_data *d)
 
   if (!values || maggi_design_create(d, &design) != MAGGI_OK) status = out_of_memory();
   for (i = 0; i < s->number && status == STATUS_DONE; ++i)
-    if (maggi_parameter_find(m, s->entry[i].path) < 0)
-      status = set_design(&s->entry[i], d, design, values);
+    if (is_design(m, s->entry[i].path)) status = set_design(&s->entry[i], d, design, values);
   maggi_design_free(design);
   free(values);
   return status;
 }
 
+/* Sets all entries that a glob stands for; *number: how many. */
+static int set_glob(const setting *e, const maggi_model *m, maggi_data *d, int *number)
+{
+  const char *path;
+  maggi_status status;
+  int i;
+
+  *number = 0;
+  for (i = 0; (path = maggi_parameter_path(m, i)) != NULL; ++i) {
+    if (!sheet_wants(path, e->path)) continue;
+    status = maggi_data_set_parameter(d, i, e->value);
+    if (status != MAGGI_OK) return fail_data(e, d, status);
+    ++*number;
+  }
+  return STATUS_DONE;
+}
+
 int settings_apply(const settings *s, const maggi_model *m, maggi_data *d)
 {
-  const setting *e;
-  maggi_status status;
-  int i, index, designs = 0;
+  int i, status, number, designs = 0;
 
   for (i = 0; i < s->number; ++i) {
-    e = &s->entry[i];
-    index = maggi_parameter_find(m, e->path);
-    if (index < 0 && !is_design(m, e->path)) return unknown_name(m, e->path);
-    designs += index < 0;
-    if (index < 0) continue;
-    status = maggi_data_set_parameter(d, index, e->value);
-    if (status != MAGGI_OK) return fail_data(e, d, status);
+    if (is_design(m, s->entry[i].path)) {
+      ++designs;
+      continue;
+    }
+    status = set_glob(&s->entry[i], m, d, &number);
+    if (status != STATUS_DONE) return status;
+    if (number == 0) return unknown_name(m, s->entry[i].path);
   }
   return designs ? apply_design(s, m, d) : STATUS_DONE;
 }

@@ -1,5 +1,5 @@
-/* --set PATH=VALUE: parameters that differ from the model file: PATH is that of a number of the model or
- * the name of a design parameter, which is set after all paths. */
+/* --set PATH=VALUE: parameters that differ from the model file: PATH is that of a number of the model, a
+ * glob for several, or the name of a design parameter, which is set after all paths. */
 #ifndef TOOL_SETTINGS_H
 #define TOOL_SETTINGS_H
 
