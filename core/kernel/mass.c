@@ -42,7 +42,8 @@ void maggi_mass_matrix(const maggi_topo *t, const double p[t->np], const double 
   for (i = 0; i < t->nrodpair; ++i) {
     a = t->rodpaira[i];
     c = t->rodpairb[i];
-    M[t->rodpairm[i]] += p[t->rodadr[t->rodpairrod[i]]] / 6.0 * maggi_dot(rodjac[a], rodjac[c]);
+    M[t->rodpairm[i]] +=
+        p[t->rodadr[t->rodpairrod[i]]] * (1.0 / 6.0) * maggi_dot(rodjac[a], rodjac[c]);
   }
 }
 

@@ -1,4 +1,4 @@
-/* bench-coach [--quick] [--markdown]
+/* bench-coach [evaluation] [lane-change] [turn] [--quick] [--markdown]      all three, if none is named
  *
  * The coach against the thesis: an evaluation by stage with its flops; the double lane change and the turn
  * as factors of real time, with sensitivities by the 35 parameters of Table 5.5 and the gradient by all
@@ -328,22 +328,33 @@ static void print_machine(const options *o)
 int main(int argc, char **argv)
 {
   options o = {0, 0};
-  int i, wrong;
+  int i, part[3] = {0, 0, 0}, wrong = 0;
 
   for (i = 1; i < argc; ++i) {
     if (strcmp(argv[i], "--markdown") == 0) {
       o.markdown = 1;
     } else if (strcmp(argv[i], "--quick") == 0) {
       o.quick = 1;
+    } else if (strcmp(argv[i], "evaluation") == 0) {
+      part[0] = 1;
+    } else if (strcmp(argv[i], "lane-change") == 0) {
+      part[1] = 1;
+    } else if (strcmp(argv[i], "turn") == 0) {
+      part[2] = 1;
     } else {
-      fprintf(stderr, "usage: bench-coach [--quick] [--markdown]\n");
+      fprintf(stderr,
+              "usage: bench-coach [evaluation] [lane-change] [turn] [--quick] [--markdown]\n");
       return 2;
     }
   }
   print_machine(&o);
-  wrong = run_apart(turn, &o, "coach/turn");
-  wrong = run_apart(turn, &o, "coach/double-lane-change") || wrong;
-  wrong = run_apart(gravity, &o, "coach/turn") || wrong;
-  wrong = run_apart(manoeuvre, &o, "lane-change") || wrong;
-  return run_apart(manoeuvre, &o, "coach/turn") || wrong;
+  if (!part[0] && !part[1] && !part[2]) part[0] = part[1] = part[2] = 1;
+  if (part[0]) {
+    wrong = run_apart(turn, &o, "coach/turn");
+    wrong = run_apart(turn, &o, "coach/double-lane-change") || wrong;
+    wrong = run_apart(gravity, &o, "coach/turn") || wrong;
+  }
+  if (part[1]) wrong = run_apart(manoeuvre, &o, "lane-change") || wrong;
+  if (part[2]) wrong = run_apart(manoeuvre, &o, "coach/turn") || wrong;
+  return wrong;
 }
