@@ -229,7 +229,8 @@ static void mass_matrix(const maggi_topo *t, int width, long f[])
   int i, j, c, k;
 
   f[STAGED_maggi_mass_matrix] += (long)INERTIA_MUL * t->nq + (long)DOT6 * t->ntreepair +
-                                 (long)POINT_RATE * t->nrodjac + (DOT + 3L) * t->nrodpair;
+                                 (POINT_RATE + 3L) * t->nrodjac + (DOT + 1L) * t->nrodpair;
+  for (i = 0; i < t->nrodjac; ++i) f[STAGED_maggi_mass_matrix] += t->rodjacadr[i] >= 0 ? 1 : 0;
   n = t->nii + t->nid;
   for (i = 0; i < t->ndep; ++i) {
     k = t->dep[i];
