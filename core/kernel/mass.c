@@ -41,7 +41,8 @@ void maggi_mass_matrix(const maggi_topo *t, const double p[t->np], const double 
   for (k = t->ntreepair; k < t->npair; ++k) M[k] = 0.0;
   for (i = 0; i < t->nrodjac; ++i) {
     maggi_point_rate(b[t->qbody[t->rodjacq[i]]], r[t->rodjacpoint[i]], rate);
-    f = t->rodjacadr[i] >= 0 ? p[t->rodjacadr[i]] * (1.0 / 6.0) : 1.0;
+    f = 1.0;
+    if (t->rodjacadr[i] >= 0) f = p[t->rodjacadr[i]] * (1.0 / 6.0);
     for (k = 0; k < 3; ++k) rodjac[i][k] = f * rate[k];
   }
   n = 0;

@@ -263,7 +263,7 @@ static int compare(const options *o, int steps, const char *model)
   const char *tape_name[NROW];
   double *gradient = calloc((size_t)c.d->t.np + PARAMETERS, sizeof(double));
   void *self;
-  int i, k, taken, ntape = 0, is_turn = strstr(model, "turn") != NULL, wrong = !gradient;
+  int i, k, taken = steps, ntape = 0, is_turn = strstr(model, "turn") != NULL, wrong = !gradient;
 
   table_begin(&t, "way|parameters|s|simulations|real time|differs|target|thesis");
   plain = INFINITY;
