@@ -18,15 +18,15 @@ void maggi_positions_b(const maggi_topo *t, const double offset0[restrict t->nbo
       A_up2_2b, A_up2b, A_up3, A_up3_2, A_up3_2b, A_up3b, A_up4, A_up4_2, A_up4_2b, A_up4b, A_up5,
       A_up5_2, A_up5_2b, A_up5b, A_up6, A_up6_2, A_up6_2b, A_up6b, A_up7, A_up7_2, A_up7_2b, A_up7b,
       A_up8, A_up8_2, A_up8_2b, A_up8b, R0, R0b, R1, R1b, R2, R2b, R3, R3b, R4, R4b, R5, R5b, R6,
-      R6b, R7, R7b, R8, R8b, axis0_i0, axis0_i0_2, axis0_i0_2b, axis0_i0b, axis0_i1, axis0_i1_2,
-      axis0_i1_2b, axis0_i1b, axis0_i2, axis0_i2_2, axis0_i2_2b, axis0_i2b, c0b, c1b, c2b, e0, e0b,
-      e1, e1b, e20b, e21b, e22b, e2_2, e2_2b, e30b, e31b, e32b, offset0_i0, offset0_i0_2,
-      offset0_i0_2b, offset0_i0_3, offset0_i0_3b, offset0_i0b, offset0_i1, offset0_i1_2,
-      offset0_i1_2b, offset0_i1_3, offset0_i1_3b, offset0_i1b, offset0_i2, offset0_i2_2,
-      offset0_i2_2b, offset0_i2_3, offset0_i2_3b, offset0_i2b, q_i, q_i2b, q_i3, q_i3b, q_ib, tb10,
-      tb11, tb12, tb13, tb14, tb15, tb16, tb17, tb18, tb19, tb2, tb3, tb4, tb5, tb6, tb7, tb8, tb9,
-      turn_i0, turn_i0b, turn_i1, turn_i1b, u0, u0b, u1, u1b, u20, u20b, u21, u21b, u22, u22b, u2_2,
-      u2_2b, v, vb, vx, vxb, vy, vyb, vz, vzb, xi0, xi0b, xi1, xi1b, xi2, xi2b;
+      R6b, R7, R7b, R8, R8b, angleb, axis0_i0, axis0_i0_2, axis0_i0_2b, axis0_i0b, axis0_i1,
+      axis0_i1_2, axis0_i1_2b, axis0_i1b, axis0_i2, axis0_i2_2, axis0_i2_2b, axis0_i2b, c0b, c1b,
+      c2b, e0, e0b, e1, e1b, e20b, e21b, e22b, e2_2, e2_2b, e30b, e31b, e32b, offset0_i0,
+      offset0_i0_2, offset0_i0_2b, offset0_i0_3, offset0_i0_3b, offset0_i0b, offset0_i1,
+      offset0_i1_2, offset0_i1_2b, offset0_i1_3, offset0_i1_3b, offset0_i1b, offset0_i2,
+      offset0_i2_2, offset0_i2_2b, offset0_i2_3, offset0_i2_3b, offset0_i2b, q_i, q_i2, q_i2b, q_ib,
+      tb10, tb11, tb12, tb13, tb14, tb15, tb16, tb17, tb18, tb19, tb2, tb3, tb4, tb5, tb6, tb7, tb8,
+      tb9, turn_i0, turn_i0b, turn_i1, turn_i1b, u0, u0b, u1, u1b, u20, u20b, u21, u21b, u22, u22b,
+      u2_2, u2_2b, v, vb, vx, vxb, vy, vyb, vz, vzb, xi0, xi0b, xi1, xi1b, xi2, xi2b;
 
   for (i = 0; i < t->nbody; ++i) {
     up = t->parent[i];
@@ -273,11 +273,11 @@ void maggi_positions_b(const maggi_topo *t, const double offset0[restrict t->nbo
       Ab[up][0] += A_up0b;
       turn_i1b += turnb[i][1];
       turnb[i][1] = 0.0;
-      q_i2b = -(turn_i1b * turn[i][0]);
+      angleb = -(turn_i1b * turn[i][0]);
       turn_i0b += turnb[i][0];
       turnb[i][0] = 0.0;
-      q_i2b += turn_i0b * turn[i][1];
-      qb[t->qid[i]] += q_i2b;
+      angleb += turn_i0b * turn[i][1];
+      qb[t->qid[i]] += angleb;
     } else if (t->joint[i] == MAGGI_ONE_PRISMATIC) {
       A_up0_2 = A[up][0];
       offset0_i0_2 = offset0[i][0];
@@ -297,7 +297,7 @@ void maggi_positions_b(const maggi_topo *t, const double offset0[restrict t->nbo
       u20 = b[i][0];
       u21 = b[i][1];
       u22 = b[i][2];
-      q_i3 = q[t->qid[i]];
+      q_i2 = q[t->qid[i]];
       bb[i][5] = 0.0;
       u22b = bb[i][2];
       bb[i][2] = 0.0;
@@ -305,8 +305,8 @@ void maggi_positions_b(const maggi_topo *t, const double offset0[restrict t->nbo
       xb[i][2] = 0.0;
       xb[up][2] += tb16;
       e22b = tb16;
-      u22b += tb16 * q_i3;
-      q_i3b = tb16 * u22;
+      u22b += tb16 * q_i2;
+      q_i2b = tb16 * u22;
       bb[i][4] = 0.0;
       u21b = bb[i][1];
       bb[i][1] = 0.0;
@@ -314,8 +314,8 @@ void maggi_positions_b(const maggi_topo *t, const double offset0[restrict t->nbo
       xb[i][1] = 0.0;
       xb[up][1] += tb15;
       e21b = tb15;
-      u21b += tb15 * q_i3;
-      q_i3b += tb15 * u21;
+      u21b += tb15 * q_i2;
+      q_i2b += tb15 * u21;
       bb[i][3] = 0.0;
       u20b = bb[i][0];
       bb[i][0] = 0.0;
@@ -323,9 +323,9 @@ void maggi_positions_b(const maggi_topo *t, const double offset0[restrict t->nbo
       xb[i][0] = 0.0;
       xb[up][0] += tb14;
       e20b = tb14;
-      u20b += tb14 * q_i3;
-      q_i3b += tb14 * u20;
-      qb[t->qid[i]] += q_i3b;
+      u20b += tb14 * q_i2;
+      q_i2b += tb14 * u20;
+      qb[t->qid[i]] += q_i2b;
       for (k3 = 8; k3 >= 0; --k3) {
         Ab[up][k3] += Ab[i][k3];
         Ab[i][k3] = 0.0;

@@ -31,25 +31,25 @@ void maggi_positions_b_d(const maggi_topo *t, const double offset0[restrict t->n
       A_up7_2d, A_up7b, A_up7bd, A_up7d, A_up8, A_up8_2, A_up8_2b, A_up8_2bd, A_up8_2d, A_up8b,
       A_up8bd, A_up8d, R0, R0b, R0bd, R0d, R1, R1b, R1bd, R1d, R2, R2b, R2bd, R2d, R3, R3b, R3bd,
       R3d, R4, R4b, R4bd, R4d, R5, R5b, R5bd, R5d, R6, R6b, R6bd, R6d, R7, R7b, R7bd, R7d, R8, R8b,
-      R8bd, R8d, axis0_i0, axis0_i0_2, axis0_i0_2b, axis0_i0_2bd, axis0_i0_2d, axis0_i0b,
-      axis0_i0bd, axis0_i0d, axis0_i1, axis0_i1_2, axis0_i1_2b, axis0_i1_2bd, axis0_i1_2d,
-      axis0_i1b, axis0_i1bd, axis0_i1d, axis0_i2, axis0_i2_2, axis0_i2_2b, axis0_i2_2bd,
-      axis0_i2_2d, axis0_i2b, axis0_i2bd, axis0_i2d, c0b, c0bd, c1b, c1bd, c2b, c2bd, e0, e0b, e0bd,
-      e0d, e1, e1b, e1bd, e1d, e20b, e20bd, e21b, e21bd, e22b, e22bd, e2_2, e2_2b, e2_2bd, e2_2d,
-      e30b, e30bd, e31b, e31bd, e32b, e32bd, offset0_i0, offset0_i0_2, offset0_i0_2b,
+      R8bd, R8d, angleb, anglebd, axis0_i0, axis0_i0_2, axis0_i0_2b, axis0_i0_2bd, axis0_i0_2d,
+      axis0_i0b, axis0_i0bd, axis0_i0d, axis0_i1, axis0_i1_2, axis0_i1_2b, axis0_i1_2bd,
+      axis0_i1_2d, axis0_i1b, axis0_i1bd, axis0_i1d, axis0_i2, axis0_i2_2, axis0_i2_2b,
+      axis0_i2_2bd, axis0_i2_2d, axis0_i2b, axis0_i2bd, axis0_i2d, c0b, c0bd, c1b, c1bd, c2b, c2bd,
+      e0, e0b, e0bd, e0d, e1, e1b, e1bd, e1d, e20b, e20bd, e21b, e21bd, e22b, e22bd, e2_2, e2_2b,
+      e2_2bd, e2_2d, e30b, e30bd, e31b, e31bd, e32b, e32bd, offset0_i0, offset0_i0_2, offset0_i0_2b,
       offset0_i0_2bd, offset0_i0_2d, offset0_i0_3, offset0_i0_3b, offset0_i0_3bd, offset0_i0_3d,
       offset0_i0b, offset0_i0bd, offset0_i0d, offset0_i1, offset0_i1_2, offset0_i1_2b,
       offset0_i1_2bd, offset0_i1_2d, offset0_i1_3, offset0_i1_3b, offset0_i1_3bd, offset0_i1_3d,
       offset0_i1b, offset0_i1bd, offset0_i1d, offset0_i2, offset0_i2_2, offset0_i2_2b,
       offset0_i2_2bd, offset0_i2_2d, offset0_i2_3, offset0_i2_3b, offset0_i2_3bd, offset0_i2_3d,
-      offset0_i2b, offset0_i2bd, offset0_i2d, q_i, q_i2b, q_i2bd, q_i3, q_i3b, q_i3bd, q_i3d, q_ib,
-      q_ibd, q_id, tb10, tb10d, tb11, tb11d, tb12, tb12d, tb13, tb13d, tb14, tb14d, tb15, tb15d,
-      tb16, tb16d, tb17, tb17d, tb18, tb18d, tb19, tb19d, tb2, tb2d, tb3, tb3d, tb4, tb4d, tb5,
-      tb5d, tb6, tb6d, tb7, tb7d, tb8, tb8d, tb9, tb9d, turn_i0, turn_i0b, turn_i0bd, turn_i0d,
-      turn_i1, turn_i1b, turn_i1bd, turn_i1d, u0, u0b, u0bd, u0d, u1, u1b, u1bd, u1d, u20, u20b,
-      u20bd, u20d, u21, u21b, u21bd, u21d, u22, u22b, u22bd, u22d, u2_2, u2_2b, u2_2bd, u2_2d, v,
-      vb, vbd, vd, vx, vxb, vxbd, vxd, vy, vyb, vybd, vyd, vz, vzb, vzbd, vzd, xi0, xi0b, xi0bd,
-      xi0d, xi1, xi1b, xi1bd, xi1d, xi2, xi2b, xi2bd, xi2d;
+      offset0_i2b, offset0_i2bd, offset0_i2d, q_i, q_i2, q_i2b, q_i2bd, q_i2d, q_ib, q_ibd, q_id,
+      tb10, tb10d, tb11, tb11d, tb12, tb12d, tb13, tb13d, tb14, tb14d, tb15, tb15d, tb16, tb16d,
+      tb17, tb17d, tb18, tb18d, tb19, tb19d, tb2, tb2d, tb3, tb3d, tb4, tb4d, tb5, tb5d, tb6, tb6d,
+      tb7, tb7d, tb8, tb8d, tb9, tb9d, turn_i0, turn_i0b, turn_i0bd, turn_i0d, turn_i1, turn_i1b,
+      turn_i1bd, turn_i1d, u0, u0b, u0bd, u0d, u1, u1b, u1bd, u1d, u20, u20b, u20bd, u20d, u21,
+      u21b, u21bd, u21d, u22, u22b, u22bd, u22d, u2_2, u2_2b, u2_2bd, u2_2d, v, vb, vbd, vd, vx,
+      vxb, vxbd, vxd, vy, vyb, vybd, vyd, vz, vzb, vzbd, vzd, xi0, xi0b, xi0bd, xi0d, xi1, xi1b,
+      xi1bd, xi1d, xi2, xi2b, xi2bd, xi2d;
 
   for (i = 0; i < t->nbody; ++i) {
     up = t->parent[i];
@@ -539,16 +539,16 @@ void maggi_positions_b_d(const maggi_topo *t, const double offset0[restrict t->n
       turn_i1bd += turnbd[i][1];
       turnb[i][1] = 0.0;
       turnbd[i][1] = 0.0;
-      q_i2b = -(turn_i1b * turn[i][0]);
-      q_i2bd = -(turn_i1bd * turn[i][0] + turn_i1b * turnd[i][0]);
+      angleb = -(turn_i1b * turn[i][0]);
+      anglebd = -(turn_i1bd * turn[i][0] + turn_i1b * turnd[i][0]);
       turn_i0b += turnb[i][0];
       turn_i0bd += turnbd[i][0];
       turnb[i][0] = 0.0;
       turnbd[i][0] = 0.0;
-      q_i2b += turn_i0b * turn[i][1];
-      q_i2bd += turn_i0bd * turn[i][1] + turn_i0b * turnd[i][1];
-      qb[t->qid[i]] += q_i2b;
-      qbd[t->qid[i]] += q_i2bd;
+      angleb += turn_i0b * turn[i][1];
+      anglebd += turn_i0bd * turn[i][1] + turn_i0b * turnd[i][1];
+      qb[t->qid[i]] += angleb;
+      qbd[t->qid[i]] += anglebd;
     } else if (t->joint[i] == MAGGI_ONE_PRISMATIC) {
       A_up0_2 = A[up][0];
       A_up0_2d = Ad[up][0];
@@ -586,8 +586,8 @@ void maggi_positions_b_d(const maggi_topo *t, const double offset0[restrict t->n
       u21d = bd[i][1];
       u22 = b[i][2];
       u22d = bd[i][2];
-      q_i3 = q[t->qid[i]];
-      q_i3d = qd[t->qid[i]];
+      q_i2 = q[t->qid[i]];
+      q_i2d = qd[t->qid[i]];
       bb[i][5] = 0.0;
       bbd[i][5] = 0.0;
       u22b = bb[i][2];
@@ -602,10 +602,10 @@ void maggi_positions_b_d(const maggi_topo *t, const double offset0[restrict t->n
       xbd[up][2] += tb16d;
       e22b = tb16;
       e22bd = tb16d;
-      u22b += tb16 * q_i3;
-      u22bd += tb16d * q_i3 + tb16 * q_i3d;
-      q_i3b = tb16 * u22;
-      q_i3bd = tb16d * u22 + tb16 * u22d;
+      u22b += tb16 * q_i2;
+      u22bd += tb16d * q_i2 + tb16 * q_i2d;
+      q_i2b = tb16 * u22;
+      q_i2bd = tb16d * u22 + tb16 * u22d;
       bb[i][4] = 0.0;
       bbd[i][4] = 0.0;
       u21b = bb[i][1];
@@ -620,10 +620,10 @@ void maggi_positions_b_d(const maggi_topo *t, const double offset0[restrict t->n
       xbd[up][1] += tb15d;
       e21b = tb15;
       e21bd = tb15d;
-      u21b += tb15 * q_i3;
-      u21bd += tb15d * q_i3 + tb15 * q_i3d;
-      q_i3b += tb15 * u21;
-      q_i3bd += tb15d * u21 + tb15 * u21d;
+      u21b += tb15 * q_i2;
+      u21bd += tb15d * q_i2 + tb15 * q_i2d;
+      q_i2b += tb15 * u21;
+      q_i2bd += tb15d * u21 + tb15 * u21d;
       bb[i][3] = 0.0;
       bbd[i][3] = 0.0;
       u20b = bb[i][0];
@@ -638,12 +638,12 @@ void maggi_positions_b_d(const maggi_topo *t, const double offset0[restrict t->n
       xbd[up][0] += tb14d;
       e20b = tb14;
       e20bd = tb14d;
-      u20b += tb14 * q_i3;
-      u20bd += tb14d * q_i3 + tb14 * q_i3d;
-      q_i3b += tb14 * u20;
-      q_i3bd += tb14d * u20 + tb14 * u20d;
-      qb[t->qid[i]] += q_i3b;
-      qbd[t->qid[i]] += q_i3bd;
+      u20b += tb14 * q_i2;
+      u20bd += tb14d * q_i2 + tb14 * q_i2d;
+      q_i2b += tb14 * u20;
+      q_i2bd += tb14d * u20 + tb14 * u20d;
+      qb[t->qid[i]] += q_i2b;
+      qbd[t->qid[i]] += q_i2bd;
       for (k3 = 8; k3 >= 0; --k3) {
         Abd[up][k3] += Abd[i][k3];
         Ab[up][k3] += Ab[i][k3];

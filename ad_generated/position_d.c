@@ -18,12 +18,12 @@ void maggi_positions_d(const maggi_topo *t, const double offset0[restrict t->nbo
       A_up2_2d, A_up2d, A_up3, A_up3_2, A_up3_2d, A_up3d, A_up4, A_up4_2, A_up4_2d, A_up4d, A_up5,
       A_up5_2, A_up5_2d, A_up5d, A_up6, A_up6_2, A_up6_2d, A_up6d, A_up7, A_up7_2, A_up7_2d, A_up7d,
       A_up8, A_up8_2, A_up8_2d, A_up8d, R0, R0d, R1, R1d, R2, R2d, R3, R3d, R4, R4d, R5, R5d, R6,
-      R6d, R7, R7d, R8, R8d, axis0_i0, axis0_i0_2, axis0_i0_2d, axis0_i0d, axis0_i1, axis0_i1_2,
-      axis0_i1_2d, axis0_i1d, axis0_i2, axis0_i2_2, axis0_i2_2d, axis0_i2d, c0d, c1d, c2d, e0, e0d,
-      e1, e1d, e20d, e21d, e22d, e2_2, e2_2d, e30d, e31d, e32d, offset0_i0, offset0_i0_2,
-      offset0_i0_2d, offset0_i0_3, offset0_i0_3d, offset0_i0d, offset0_i1, offset0_i1_2,
-      offset0_i1_2d, offset0_i1_3, offset0_i1_3d, offset0_i1d, offset0_i2, offset0_i2_2,
-      offset0_i2_2d, offset0_i2_3, offset0_i2_3d, offset0_i2d, q_i, q_i2d, q_i3, q_i3d, q_id,
+      R6d, R7, R7d, R8, R8d, angled, axis0_i0, axis0_i0_2, axis0_i0_2d, axis0_i0d, axis0_i1,
+      axis0_i1_2, axis0_i1_2d, axis0_i1d, axis0_i2, axis0_i2_2, axis0_i2_2d, axis0_i2d, c0d, c1d,
+      c2d, e0, e0d, e1, e1d, e20d, e21d, e22d, e2_2, e2_2d, e30d, e31d, e32d, offset0_i0,
+      offset0_i0_2, offset0_i0_2d, offset0_i0_3, offset0_i0_3d, offset0_i0d, offset0_i1,
+      offset0_i1_2, offset0_i1_2d, offset0_i1_3, offset0_i1_3d, offset0_i1d, offset0_i2,
+      offset0_i2_2, offset0_i2_2d, offset0_i2_3, offset0_i2_3d, offset0_i2d, q_i, q_i2, q_i2d, q_id,
       turn_i0, turn_i0d, turn_i1, turn_i1d, u0, u0d, u1, u1d, u20, u20d, u21, u21d, u22, u22d, u2_2,
       u2_2d, v, vd, vx, vxd, vy, vyd, vz, vzd, xi0, xi0d, xi1, xi1d, xi2, xi2d;
 
@@ -43,12 +43,12 @@ void maggi_positions_d(const maggi_topo *t, const double offset0[restrict t->nbo
   for (i = t->nbody - 1; i >= 0; --i) {
     up = t->parent[i];
     if (t->joint[i] == MAGGI_ONE_REVOLUTE) {
-      q_i2d = qd[t->qid[i]];
+      angled = qd[t->qid[i]];
       turn_i0 = turn[i][0];
-      turn_i0d = turn[i][1] * q_i2d;
+      turn_i0d = turn[i][1] * angled;
       turnd[i][0] = turn_i0d;
       turn_i1 = turn[i][1];
-      turn_i1d = -(turn[i][0] * q_i2d);
+      turn_i1d = -(turn[i][0] * angled);
       turnd[i][1] = turn_i1d;
       A_up0 = A[up][0];
       A_up0d = Ad[up][0];
@@ -212,15 +212,15 @@ void maggi_positions_d(const maggi_topo *t, const double offset0[restrict t->nbo
       for (k3 = 0; k3 < 9; ++k3) {
         Ad[i][k3] = Ad[up][k3];
       }
-      q_i3 = q[t->qid[i]];
-      q_i3d = qd[t->qid[i]];
-      xd[i][0] = xd[up][0] + e20d + (u20d * q_i3 + u20 * q_i3d);
+      q_i2 = q[t->qid[i]];
+      q_i2d = qd[t->qid[i]];
+      xd[i][0] = xd[up][0] + e20d + (u20d * q_i2 + u20 * q_i2d);
       bd[i][0] = u20d;
       bd[i][3] = 0.0;
-      xd[i][1] = xd[up][1] + e21d + (u21d * q_i3 + u21 * q_i3d);
+      xd[i][1] = xd[up][1] + e21d + (u21d * q_i2 + u21 * q_i2d);
       bd[i][1] = u21d;
       bd[i][4] = 0.0;
-      xd[i][2] = xd[up][2] + e22d + (u22d * q_i3 + u22 * q_i3d);
+      xd[i][2] = xd[up][2] + e22d + (u22d * q_i2 + u22 * q_i2d);
       bd[i][2] = u22d;
       bd[i][5] = 0.0;
     } else {

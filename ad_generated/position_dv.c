@@ -22,7 +22,7 @@ void maggi_positions_dv(const maggi_topo *t, const double offset0[restrict t->nb
       A_up5_2, A_up6, A_up6_2, A_up7, A_up7_2, A_up8, A_up8_2, R0, R1, R2, R3, R4, R5, R6, R7, R8,
       axis0_i0, axis0_i0_2, axis0_i1, axis0_i1_2, axis0_i2, axis0_i2_2, e0, e1, e2_2, offset0_i0,
       offset0_i0_2, offset0_i0_3, offset0_i1, offset0_i1_2, offset0_i1_3, offset0_i2, offset0_i2_2,
-      offset0_i2_3, q_i, q_i3, turn_i0, turn_i1, u0, u1, u20, u21, u22, u2_2, v, vx, vy, vz, xi0,
+      offset0_i2_3, q_i, q_i2, turn_i0, turn_i1, u0, u1, u20, u21, u22, u2_2, v, vx, vy, vz, xi0,
       xi1, xi2;
   double e20d[MAGGI_NDIR], e21d[MAGGI_NDIR], e22d[MAGGI_NDIR], e30d[MAGGI_NDIR], e31d[MAGGI_NDIR],
       e32d[MAGGI_NDIR], u20d[MAGGI_NDIR], u21d[MAGGI_NDIR], u22d[MAGGI_NDIR];
@@ -97,14 +97,14 @@ void maggi_positions_dv(const maggi_topo *t, const double offset0[restrict t->nb
 #pragma omp simd
       for (nd = 0; nd < MAGGI_NDIR; ++nd) {
         double A_up0d, A_up1d, A_up2d, A_up3d, A_up4d, A_up5d, A_up6d, A_up7d, A_up8d, R0d, R1d,
-            R2d, R3d, R4d, R5d, R6d, R7d, R8d, axis0_i0d, axis0_i1d, axis0_i2d, c0d, c1d, c2d, e0d,
-            e1d, e2_2d, offset0_i0d, offset0_i1d, offset0_i2d, q_i2d, turn_i0d, turn_i1d, u0d, u1d,
-            u2_2d, vd, vxd, vyd, vzd, xi0d, xi1d, xi2d;
+            R2d, R3d, R4d, R5d, R6d, R7d, R8d, angled, axis0_i0d, axis0_i1d, axis0_i2d, c0d, c1d,
+            c2d, e0d, e1d, e2_2d, offset0_i0d, offset0_i1d, offset0_i2d, turn_i0d, turn_i1d, u0d,
+            u1d, u2_2d, vd, vxd, vyd, vzd, xi0d, xi1d, xi2d;
 
-        q_i2d = qd[t->qid[i]][nd];
-        turn_i0d = turn[i][1] * q_i2d;
+        angled = qd[t->qid[i]][nd];
+        turn_i0d = turn[i][1] * angled;
         turnd[i][0][nd] = turn_i0d;
-        turn_i1d = -(turn[i][0] * q_i2d);
+        turn_i1d = -(turn[i][0] * angled);
         turnd[i][1][nd] = turn_i1d;
         A_up0d = Ad[up][0][nd];
         offset0_i0d = offset0d[i][0][nd];
@@ -242,19 +242,19 @@ void maggi_positions_dv(const maggi_topo *t, const double offset0[restrict t->nb
           Ad[i][k3][nd] = Ad[up][k3][nd];
         }
       }
-      q_i3 = q[t->qid[i]];
+      q_i2 = q[t->qid[i]];
 #pragma omp simd
       for (nd = 0; nd < MAGGI_NDIR; ++nd) {
-        double q_i3d;
+        double q_i2d;
 
-        q_i3d = qd[t->qid[i]][nd];
-        xd[i][0][nd] = xd[up][0][nd] + e20d[nd] + (u20d[nd] * q_i3 + u20 * q_i3d);
+        q_i2d = qd[t->qid[i]][nd];
+        xd[i][0][nd] = xd[up][0][nd] + e20d[nd] + (u20d[nd] * q_i2 + u20 * q_i2d);
         bd[i][0][nd] = u20d[nd];
         bd[i][3][nd] = 0.0;
-        xd[i][1][nd] = xd[up][1][nd] + e21d[nd] + (u21d[nd] * q_i3 + u21 * q_i3d);
+        xd[i][1][nd] = xd[up][1][nd] + e21d[nd] + (u21d[nd] * q_i2 + u21 * q_i2d);
         bd[i][1][nd] = u21d[nd];
         bd[i][4][nd] = 0.0;
-        xd[i][2][nd] = xd[up][2][nd] + e22d[nd] + (u22d[nd] * q_i3 + u22 * q_i3d);
+        xd[i][2][nd] = xd[up][2][nd] + e22d[nd] + (u22d[nd] * q_i2 + u22 * q_i2d);
         bd[i][2][nd] = u22d[nd];
         bd[i][5][nd] = 0.0;
       }

@@ -43,7 +43,7 @@
   X(speed, nspeed, 3, "controllers of speed: error, torque, speed")                                \
   X(FS, nbody1, 6, "F + Q of the whole subtree")                                                   \
   X(Fb, nq, 6, "IS b")                                                                             \
-  X(rodjac, nrodjac, 3, "velocity of ends of rods by coordinates")                                 \
+  X(rodjac, nrodjac, 3, "velocity of ends of rods by coordinates, at a times m/6")                 \
   /* by maggi_balance and maggi_results */                                                         \
   X(Wa, nbody1, 6, "acceleration by those of all coordinates")                                     \
   X(Za, nbody1, 6, "acceleration less gravity")                                                    \

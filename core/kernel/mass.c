@@ -1,7 +1,7 @@
 /* Mass matrix of the tree, its reduction by R_z, and the reduced force.  FORMULATION 3, 5 and 6.
  *
  *   M_ij = b_i^T IS_j b_j          i = j or i an ancestor of j
- *   rods add  m/6 (J_a^T J_b + J_b^T J_a),  J = velocity of an end by coordinates
+ *   rods add  m/6 (J_a^T J_b + J_b^T J_a),  J = velocity of an end by coordinates, that of end a times m/6
  *   M^   = R^T M R                 in three parts, with D the dependent rows of R and U its rest:
  *        = M_uu + D^T Z + Z^T D,   Z = M_du + (one half of M_dd with half its diagonal) D
  * of which the upper half is computed.
@@ -32,17 +32,24 @@ void maggi_mass_matrix(const maggi_topo *t, const double p[t->np], const double 
                        const double r[t->npoint][3], const double IS[t->nbody + 1][10],
                        double Fb[t->nq][6], double rodjac[t->nrodjac][3], double M[t->npair])
 {
-  int i, k, a, c;
+  int i, k, n;
+  double f;
+  double rate[3];
 
   for (i = 0; i < t->nq; ++i) maggi_inertia_mul(IS[t->qbody[i]], b[t->qbody[i]], Fb[i]);
   for (i = 0; i < t->nq; ++i) mass_row(t, t->pairadr[i], t->pairadr[i + 1], b, Fb[i], M);
   for (k = t->ntreepair; k < t->npair; ++k) M[k] = 0.0;
-  for (i = 0; i < t->nrodjac; ++i)
-    maggi_point_rate(b[t->qbody[t->rodjacq[i]]], r[t->rodjacpoint[i]], rodjac[i]);
-  for (i = 0; i < t->nrodpair; ++i) {
-    a = t->rodpaira[i];
-    c = t->rodpairb[i];
-    M[t->rodpairm[i]] += p[t->rodadr[t->rodpairrod[i]]] / 6.0 * maggi_dot(rodjac[a], rodjac[c]);
+  for (i = 0; i < t->nrodjac; ++i) {
+    maggi_point_rate(b[t->qbody[t->rodjacq[i]]], r[t->rodjacpoint[i]], rate);
+    f = 1.0;
+    if (t->rodjacadr[i] >= 0) f = p[t->rodjacadr[i]] * (1.0 / 6.0);
+    for (k = 0; k < 3; ++k) rodjac[i][k] = f * rate[k];
+  }
+  n = 0;
+  for (i = 0; i < t->nrodjac; ++i) {
+    for (k = 0; k < t->rodjacnum[i]; ++k)
+      M[t->rodpairm[n + k]] += maggi_dot(rodjac[i], rodjac[t->rodjacother[i] + k]);
+    n = n + t->rodjacnum[i];
   }
 }
 

@@ -99,6 +99,7 @@ void maggi_positions(const maggi_topo *t, const double offset0[t->nbody][3],
                      double b[t->nbody][6])
 {
   int i, k, up;
+  double angle;
 
   for (k = 0; k < 9; ++k) A[t->nbody][k] = k % 4 == 0 ? 1.0 : 0.0;
   for (k = 0; k < 3; ++k) x[t->nbody][k] = 0.0;
@@ -108,8 +109,9 @@ void maggi_positions(const maggi_topo *t, const double offset0[t->nbody][3],
   for (i = t->nbody - 1; i >= 0; --i) {
     up = t->parent[i];
     if (t->joint[i] == MAGGI_ONE_REVOLUTE) {
-      turn[i][0] = sin(q[t->qid[i]]);
-      turn[i][1] = cos(q[t->qid[i]]);
+      angle = q[t->qid[i]]; /* one call for both */
+      turn[i][0] = sin(angle);
+      turn[i][1] = cos(angle);
       joint_revolute(A[up], x[up], offset0[i], axis0[i], turn[i], A[i], x[i], b[i]);
     } else if (t->joint[i] == MAGGI_ONE_PRISMATIC) {
       joint_prismatic(A[up], x[up], offset0[i], axis0[i], q[t->qid[i]], A[i], x[i], b[i]);

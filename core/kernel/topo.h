@@ -177,9 +177,9 @@ enum { MAGGI_NEED_ACCELERATION = 1, MAGGI_NEED_MULTIPLIER = 2 };
   X(rodcommon, nrod, "lowest body that carries both ends")                                         \
   X(rodjacpoint, nrodjac, "end point")                                                             \
   X(rodjacq, nrodjac, "coordinate that moves it")                                                  \
-  X(rodpairrod, nrodpair, "rod")                                                                   \
-  X(rodpaira, nrodpair, "entry of rodjac at one end")                                              \
-  X(rodpairb, nrodpair, "entry of rodjac at the other")                                            \
+  X(rodjacadr, nrodjac, "address of the mass of the rod, -1 at its end b")                         \
+  X(rodjacother, nrodjac, "at end a: first entry at end b that it meets")                          \
+  X(rodjacnum, nrodjac, "their number, 0 at end b")                                                \
   X(rodpairm, nrodpair, "entry of the mass matrix")                                                \
   X(pairadr, nq1, "first pair of a coordinate: itself, then its ancestors")                        \
   X(pairi, npair, "lower coordinate of a pair")                                                    \

@@ -224,7 +224,7 @@ static int find_pair(maggi_compile *c, int i, int j)
 }
 
 /* coordinates that move one end of a rod: below the common body first, then it and above */
-static void push_rod_end(maggi_compile *c, int point, int common, int *own, int *all)
+static void push_rod_end(maggi_compile *c, int point, int adr, int common, int *own, int *all)
 {
   int body;
 
@@ -234,6 +234,9 @@ static void push_rod_end(maggi_compile *c, int point, int common, int *own, int 
     if (c->qid.v[body] < 0) continue;
     PUSH(rodjacpoint, point);
     PUSH(rodjacq, c->qid.v[body]);
+    PUSH(rodjacadr, adr);
+    PUSH(rodjacother, 0);
+    PUSH(rodjacnum, 0);
     ++*all;
     if (body < common) ++*own;
   }
@@ -243,21 +246,18 @@ static void push_rod_end(maggi_compile *c, int point, int common, int *own, int 
  * coordinates of the common body are in its composite inertia */
 static void push_rod_pairs(maggi_compile *c, int rod)
 {
-  int owna, alla, ownb, allb, ea, eb, i, j;
+  int common = c->rodcommon.v[rod], owna, alla, ownb, allb, ea, eb, i, j;
 
   ea = c->rodjacq.n;
-  push_rod_end(c, c->rodpa.v[rod], c->rodcommon.v[rod], &owna, &alla);
+  push_rod_end(c, c->rodpa.v[rod], c->rodadr.v[rod], common, &owna, &alla);
   eb = c->rodjacq.n;
-  push_rod_end(c, c->rodpb.v[rod], c->rodcommon.v[rod], &ownb, &allb);
+  push_rod_end(c, c->rodpb.v[rod], -1, common, &ownb, &allb);
   if (c->no_memory) return;
   for (i = 0; i < alla; ++i) {
-    for (j = 0; j < allb; ++j) {
-      if (i >= owna && j >= ownb) continue;
-      PUSH(rodpairrod, rod);
-      PUSH(rodpaira, ea + i);
-      PUSH(rodpairb, eb + j);
+    c->rodjacother.v[ea + i] = eb;
+    c->rodjacnum.v[ea + i] = i < owna ? allb : ownb;
+    for (j = 0; j < c->rodjacnum.v[ea + i]; ++j)
       PUSH(rodpairm, find_pair(c, c->rodjacq.v[ea + i], c->rodjacq.v[eb + j]));
-    }
   }
 }
 
@@ -289,7 +289,7 @@ maggi_status maggi_compile_loops(maggi_compile *c)
   t->npath = c->pathq.n;
   t->nrod = c->rodadr.n;
   t->nrodjac = c->rodjacq.n;
-  t->nrodpair = c->rodpairrod.n;
+  t->nrodpair = c->rodpairm.n;
   t->npair = c->pairi.n;
   return c->no_memory ? MAGGI_E_MEMORY : MAGGI_OK;
 }

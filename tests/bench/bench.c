@@ -441,12 +441,17 @@ static int suite_flops(const options *o)
   char names[MODELS_MAX][CASE_NAME];
   bench_flops f;
   double differ;
-  int i, k, n = shipped_models(MODELS_MAX - 4, names), wrong = 0;
+  int i, k, n = shipped_models(MODELS_MAX - 7, names), wrong = 0;
 
   snprintf(names[n++], CASE_NAME, "multiple-four-bar:1x15");
   snprintf(names[n++], CASE_NAME, "multiple-four-bar:4x15");
   snprintf(names[n++], CASE_NAME, "multiple-four-bar:3x9");
   snprintf(names[n++], CASE_NAME, "multiple-four-bar:2x20");
+#ifdef MAGGI_BENCH_YAML
+  snprintf(names[n++], CASE_NAME, "coach/turn");
+  snprintf(names[n++], CASE_NAME, "coach/double-lane-change");
+  snprintf(names[n++], CASE_NAME, "coach/bumps");
+#endif
   table_begin(&t, "model|needed|by blocks|executed|differ %|where");
   for (k = 0; k < n; ++k) {
     if (!case_open(&c, names[k])) return 1;

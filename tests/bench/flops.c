@@ -38,7 +38,7 @@ static long function(int kind, int n)
   case MAGGI_FUNCTION_POLYNOMIAL:
     return 5L * (n - 1) + 4L * (n > 2 ? n - 2 : 0);
   case MAGGI_FUNCTION_SINE:
-    return 13;
+    return 15;
   case MAGGI_FUNCTION_STEP:
   case MAGGI_FUNCTION_KNOTS:
     return 32;
@@ -149,7 +149,7 @@ static long single(long m, long n, const double *L)
     least = fmin(least, L[i * n + i]);
     most = fmax(most, L[i * n + i]);
   }
-  return most < 16.0 * least ? 2 * m * n + 2 * n * n : refined(m, n);
+  return 1 + (most < 16.0 * least ? 2 * m * n + 2 * n * n : refined(m, n));
 }
 
 static void loops(const maggi_topo *t, const double *chol, int width, long f[])
@@ -214,6 +214,56 @@ static void elements(const maggi_topo *t, long f[])
   f[STAGED_maggi_element_forces] += n;
 }
 
+enum { SPLINE = 37 }; /* a value with two derivatives */
+
+/* height of a road, bumps as if between them */
+static long road(int kind, int n)
+{
+  switch (kind) {
+  case MAGGI_ROAD_FLAT:
+    return 1;
+  case MAGGI_ROAD_SINE:
+    return 8;
+  case MAGGI_ROAD_BUMPS:
+    return 3L * (n - 1) + 3 + 8;
+  default:
+    return SPLINE;
+  }
+}
+
+/* on the road, moving, cambered by more than what counts as little; exp, atan, atan2, tanh are not counted */
+static void wheels(const maggi_topo *t, long f[])
+{
+  const long axis = MUL + DOT + 1 + 3 + 3, contact = 8 + 5 + DOT + CROSS + 6 + 6 + 3 + CROSS + 12;
+  const long slip = 5 + 6 + CROSS + 3 + DOT + 8 + 4 + 9 + 3 + 6;
+  const long tyre =
+      3 + 32 + 45 + 37 + 24 + 32 + 2 + 89 + 40; /* maggi_tyre: as its functions come */
+  int i, k;
+
+  for (i = 0; i < t->nwheel; ++i) {
+    k = t->wheelroad[i];
+    f[STAGED_maggi_wheel_forces] += axis + contact + 2 * road(t->roadkind[k], t->roadn[k]) + slip +
+                                    (t->wheelgrip[i] ? 5 + tyre : 0) + 18 + CROSS + 18;
+    f[STAGED_maggi_element_forces] += 6 + DOT6 + 1;
+  }
+}
+
+/* within the path */
+static void controls(const maggi_topo *t, long f[])
+{
+  const long part = 11, nearer = 16;
+  long n = 0;
+  int i;
+
+  for (i = 0; i < t->ndriver; ++i)
+    n += 3 + 4 + (t->drivern[i] - 1) * (part + 11) + part + 3 + 12 * SPLINE + 6 * nearer +
+         2 * SPLINE + 4 + 6 + 6 + 5 + 4 + (t->driverspeeds[i] ? SPLINE : 0) +
+         (t->driverheld[i] ? 0 : 3);
+  for (i = 0; i < t->nspeed; ++i)
+    n += 1 + DOT + 5 + (t->speedlinear[i] ? 1 : 2) + 3L * t->speedqnum[i];
+  f[STAGED_maggi_control_forces] += n;
+}
+
 static void inertias(const maggi_topo *t, long f[])
 {
   f[STAGED_maggi_body_inertias] += (MUL + 9L + DOT + 45 + 6 + 24 + 30) * t->nmassive;
@@ -229,7 +279,8 @@ static void mass_matrix(const maggi_topo *t, int width, long f[])
   int i, j, c, k;
 
   f[STAGED_maggi_mass_matrix] += (long)INERTIA_MUL * t->nq + (long)DOT6 * t->ntreepair +
-                                 (long)POINT_RATE * t->nrodjac + (DOT + 3L) * t->nrodpair;
+                                 (POINT_RATE + 3L) * t->nrodjac + (DOT + 1L) * t->nrodpair;
+  for (i = 0; i < t->nrodjac; ++i) f[STAGED_maggi_mass_matrix] += t->rodjacadr[i] >= 0 ? 1 : 0;
   n = t->nii + t->nid;
   for (i = 0; i < t->ndep; ++i) {
     k = t->dep[i];
@@ -274,6 +325,8 @@ void flops_derive(const maggi_topo *t, const double *chol, int width, long flops
   loops(t, chol, width, flops);
   velocities(t, flops);
   elements(t, flops);
+  wheels(t, flops);
+  controls(t, flops);
   inertias(t, flops);
   mass_matrix(t, width, flops);
   solve(t, width, flops);

@@ -1,4 +1,4 @@
-/* bench-coach [--quick] [--markdown]
+/* bench-coach [evaluation] [lane-change] [turn] [--quick] [--markdown]      all three, if none is named
  *
  * The coach against the thesis: an evaluation by stage with its flops; the double lane change and the turn
  * as factors of real time, with sensitivities by the 35 parameters of Table 5.5 and the gradient by all
@@ -6,7 +6,8 @@
  *
  * Times are CPU time of this thread, the least of a few runs; a number of simulations is the ratio to the
  * plain simulation (maggi_data_reset and maggi_step) measured just before.  Ways that are slow and take
- * the same time every step are timed over fewer steps, and their time is scaled. */
+ * the same time every step are timed over fewer steps, and their time is scaled; gradients of so many
+ * steps are compared with direct differentiation.  The thesis integrates without closing loops again. */
 #define _POSIX_C_SOURCE 200809L
 
 #include <math.h>
@@ -176,7 +177,8 @@ static double plain_seconds(int steps)
 }
 
 /* seconds for all steps, the least of RUNS; INFINITY on failure */
-static double way_seconds(const struct row *row, void *self, int steps, double *gradient)
+static double way_seconds(const struct row *row, void *self, int steps, double *gradient,
+                          int *taken)
 {
   double begin, seconds, best = INFINITY, one;
   int i, n = steps;
@@ -188,6 +190,7 @@ static double way_seconds(const struct row *row, void *self, int steps, double *
     n = (int)least(steps, paced_seconds / one);
     if (n < STEPS_LEAST) n = STEPS_LEAST;
   }
+  *taken = n;
   for (i = 0; i < RUNS; ++i) {
     begin = cpu_seconds();
     if (!row->way->gradient(self, n, gradient)) return INFINITY;
@@ -196,6 +199,23 @@ static double way_seconds(const struct row *row, void *self, int steps, double *
     if (seconds > long_seconds && !row->way->is_paced) break;
   }
   return best;
+}
+
+/* largest difference from direct differentiation, relative to the largest entry */
+static double difference(int n, int steps, const double *gradient)
+{
+  double right[PARAMETERS], largest = 0.0, most = 0.0;
+  void *self = way_direct.open(&of, n);
+  int i, ok;
+
+  if (!self) return INFINITY;
+  ok = way_direct.gradient(self, steps, right);
+  way_direct.close(self);
+  for (i = 0; i < n && ok; ++i) {
+    largest = fmax(largest, fabs(right[i]));
+    most = fmax(most, fabs(gradient[i] - right[i]));
+  }
+  return ok ? most / largest : INFINITY;
 }
 
 /* of the tapes as in Table 5.2 */
@@ -243,9 +263,9 @@ static int compare(const options *o, int steps, const char *model)
   const char *tape_name[NROW];
   double *gradient = calloc((size_t)c.d->t.np + PARAMETERS, sizeof(double));
   void *self;
-  int i, k, ntape = 0, is_turn = strstr(model, "turn") != NULL, wrong = !gradient;
+  int i, k, taken = steps, ntape = 0, is_turn = strstr(model, "turn") != NULL, wrong = !gradient;
 
-  table_begin(&t, "way|parameters|s|simulations|real time|target|thesis");
+  table_begin(&t, "way|parameters|s|simulations|real time|differs|target|thesis");
   plain = INFINITY;
   for (k = 0; k < RUNS; ++k) plain = least(plain, plain_seconds(steps));
   table_row(&t);
@@ -254,13 +274,14 @@ static int compare(const options *o, int steps, const char *model)
   table_cell(&t, "%.3f", plain);
   table_cell(&t, "1");
   table_cell(&t, "%.1f", time / plain);
+  table_cell(&t, "-");
   table_cell(&t, "real time >= 15");
   table_cell(&t, "2.9 (0.694 s for 2 s)");
   for (i = 0; i < NROW && !wrong; ++i) {
     if (rows[i].turn_only && !is_turn) continue;
     self = rows[i].way->open(&of, rows[i].n);
     if (!self) return fail(rows[i].way->name, "cannot be opened");
-    seconds = way_seconds(&rows[i], self, steps, gradient);
+    seconds = way_seconds(&rows[i], self, steps, gradient, &taken);
     for (k = 0; k < RUNS; ++k) plain = least(plain, plain_seconds(steps));
     if (rows[i].way->size) {
       rows[i].way->size(self, &size[ntape]);
@@ -275,6 +296,10 @@ static int compare(const options *o, int steps, const char *model)
     table_cell(&t, "%.3f", seconds);
     table_cell(&t, "%.2f", seconds / plain);
     table_cell(&t, "%.3f", time / seconds);
+    if (rows[i].n == ALL || rows[i].way == &way_direct)
+      table_cell(&t, "-");
+    else
+      table_cell(&t, "%.0e", difference(rows[i].n, taken, gradient));
     table_cell(&t, "%s", rows[i].target);
     table_cell(&t, "%s", rows[i].thesis);
   }
@@ -328,22 +353,33 @@ static void print_machine(const options *o)
 int main(int argc, char **argv)
 {
   options o = {0, 0};
-  int i, wrong;
+  int i, part[3] = {0, 0, 0}, wrong = 0;
 
   for (i = 1; i < argc; ++i) {
     if (strcmp(argv[i], "--markdown") == 0) {
       o.markdown = 1;
     } else if (strcmp(argv[i], "--quick") == 0) {
       o.quick = 1;
+    } else if (strcmp(argv[i], "evaluation") == 0) {
+      part[0] = 1;
+    } else if (strcmp(argv[i], "lane-change") == 0) {
+      part[1] = 1;
+    } else if (strcmp(argv[i], "turn") == 0) {
+      part[2] = 1;
     } else {
-      fprintf(stderr, "usage: bench-coach [--quick] [--markdown]\n");
+      fprintf(stderr,
+              "usage: bench-coach [evaluation] [lane-change] [turn] [--quick] [--markdown]\n");
       return 2;
     }
   }
   print_machine(&o);
-  wrong = run_apart(turn, &o, "coach/turn");
-  wrong = run_apart(turn, &o, "coach/double-lane-change") || wrong;
-  wrong = run_apart(gravity, &o, "coach/turn") || wrong;
-  wrong = run_apart(manoeuvre, &o, "lane-change") || wrong;
-  return run_apart(manoeuvre, &o, "coach/turn") || wrong;
+  if (!part[0] && !part[1] && !part[2]) part[0] = part[1] = part[2] = 1;
+  if (part[0]) {
+    wrong = run_apart(turn, &o, "coach/turn");
+    wrong = run_apart(turn, &o, "coach/double-lane-change") || wrong;
+    wrong = run_apart(gravity, &o, "coach/turn") || wrong;
+  }
+  if (part[1]) wrong = run_apart(manoeuvre, &o, "lane-change") || wrong;
+  if (part[2]) wrong = run_apart(manoeuvre, &o, "coach/turn") || wrong;
+  return wrong;
 }

@@ -7,6 +7,22 @@
 
 #include "methods.h"
 
+/* what AutoDiffScalar lacks of the functions of the kernel */
+namespace Eigen
+{
+template <typename D>
+AutoDiffScalar<typename internal::remove_all<D>::type::PlainObject> atan(const AutoDiffScalar<D> &x)
+{
+  return {std::atan(x.value()), x.derivatives() / (1.0 + x.value() * x.value())};
+}
+
+template <typename D>
+AutoDiffScalar<typename internal::remove_all<D>::type::PlainObject> fabs(const AutoDiffScalar<D> &x)
+{
+  return {std::fabs(x.value()), x.derivatives() * (x.value() < 0.0 ? -1.0 : 1.0)};
+}
+} // namespace Eigen
+
 namespace
 {
 namespace many
