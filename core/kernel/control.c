@@ -1,4 +1,5 @@
-/* Drivers and controllers of speed: torques of drivers on what steers, and torques on coordinates that keep a point at a speed.  Thesis [1] 3.10.
+/* Drivers and controllers of speed: torques of drivers on what steers, and torques on coordinates that
+ * keep a point at a speed.  [1] 3.10.
  *
  *   T = gain torque e |e|   or   gain torque e,   e = target - |v|,   |v| = sqrt(v.v + low^2)
  */
