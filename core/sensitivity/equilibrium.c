@@ -1,6 +1,8 @@
 /* Newton's method for static equilibrium, and its derivatives. */
 #include "equilibrium.h"
 
+#include "closing.h"
+
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
@@ -143,15 +145,6 @@ static int newton(maggi_equilibrium *e, maggi_status *status)
 
 /* ---------------------------------------------------------------------------------------- search */
 
-static const char *name_of(const maggi_data *d, int q)
-{
-  int i;
-
-  for (i = 0; i < d->m->ncoordinate; ++i)
-    if (d->m->coordinate[i].q == q) return d->m->coordinate[i].name;
-  return "";
-}
-
 /* nothing holds the coordinate that moves most in the direction in `next` */
 static maggi_status fail_free(const maggi_equilibrium *e, maggi_data *d)
 {
@@ -162,7 +155,7 @@ static maggi_status fail_free(const maggi_equilibrium *e, maggi_data *d)
     if (fabs(e->next[i]) > fabs(e->next[most])) most = i;
   return maggi_data_fail(d, MAGGI_E_ASSEMBLY,
                          "static equilibrium: nothing holds \"%s\"; name it in start.hold",
-                         name_of(d, t->colq[most]));
+                         maggi_name_of(d, t->colq[most]));
 }
 
 static maggi_status fail_search(const maggi_equilibrium *e, maggi_data *d)
@@ -176,7 +169,7 @@ static maggi_status fail_search(const maggi_equilibrium *e, maggi_data *d)
   body = t->qbody[t->colq[most]];
   return maggi_data_fail(d, MAGGI_E_ASSEMBLY,
                          "static equilibrium: not found, \"%s\" still accelerates by %.3g %s",
-                         name_of(d, t->colq[most]), e->x->acol[most],
+                         maggi_name_of(d, t->colq[most]), e->x->acol[most],
                          t->joint[body] == MAGGI_ONE_REVOLUTE ? "rad/s^2" : "m/s^2");
 }
 
