@@ -86,7 +86,6 @@ static void add_all(entries *e)
   for (i = 0; i < t->nforce; ++i)
     if (t->forcekind[i] != MAGGI_FORCE_JOINT && t->forcekind[i] != MAGGI_TORQUE_GLOBAL)
       add_bodies(e, t->forcereaction[i], t->forcebody[i], 0);
-  for (i = 0; i < t->nwheel; ++i) add_bodies(e, t->wheelbody[i], t->wheelcarrier[i], 0);
   add_controllers(e);
 }
 

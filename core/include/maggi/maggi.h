@@ -482,8 +482,9 @@ typedef struct maggi_road_def {
  *   Fz = vertical_stiffness (R0 - r) + vertical_damping (R0 - r)', never negative
  *   kappa = -(Vx - Omega Re) / |Vx|,  tan(alpha) = Vy / |Vx|,  sin(gamma) = axis . normal
  *
- * V is the velocity of the contact point as one of the carrier, Omega that of the body relative to the
- * carrier about the axis, which points to the left (+y of the vehicle) on all wheels.  TYDEX W axes, ISO:
+ * Omega = w.u is the turn of the body about the axis u, which points to the left (+y of the vehicle) on all
+ * wheels, V = v_C + (w - Omega u) x r e the velocity of the place on the road below it, which the turn of
+ * neither body nor carrier about the axis moves.  TYDEX W axes, ISO:
  * x forward on the road, y left, z its normal.  Forces act on the body; the ground takes them.  All of
  * their power, of the vertical spring too, counts as work.
  * Paths: wheels.NAME.point.x .., .axis.x ..
